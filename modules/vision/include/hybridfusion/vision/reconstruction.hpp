@@ -1,0 +1,69 @@
+#pragma once
+
+#include <hybridfusion/core/geodetic.hpp>
+#include <hybridfusion/core/point_cloud.hpp>
+#include <hybridfusion/core/rigid3.hpp>
+#include <hybridfusion/vision/camera.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace hybridfusion {
+
+/// A feature of a photo that belongs to a scene point.
+struct Observation {
+  std::uint32_t point = 0;  ///< Into Reconstruction::points.
+  Eigen::Vector2f pixel = Eigen::Vector2f::Zero();
+};
+
+/// One input photo, registered or not. Reconstruction::views has one per photo, in input order.
+struct View {
+  std::string name = {};
+  std::uint32_t camera = 0;                    ///< Into Reconstruction::cameras.
+  std::optional<Rigid3> enu_from_camera = {};  ///< Camera: x right, y down, z forward.
+  std::vector<Observation> observations = {};
+  std::optional<Eigen::Vector3d> gnss_in_enu = {};   ///< Absent or rejected: empty.
+  std::optional<Eigen::Vector3d> gnss_sigma_m = {};  ///< As used in the adjustment.
+  std::string reason = {};                           ///< Why it is not registered; else empty.
+};
+
+struct ViewObservation {
+  std::uint32_t view = 0;
+  std::uint32_t observation = 0;  ///< Into View::observations.
+};
+
+/// Triangulated feature track.
+struct ScenePoint {
+  Eigen::Vector3d point_in_enu = Eigen::Vector3d::Zero();
+  Rgb8 color = {};
+  float mean_error_px = 0.0F;
+  std::vector<ViewObservation> track = {};
+};
+
+/// Figures that tell whether the geometry can be trusted; all over registered views.
+struct ReconstructionQuality {
+  double mean_reprojection_px = 0.0;
+  double median_reprojection_px = 0.0;
+  double gnss_horizontal_rms_m = 0.0;  ///< After the adjustment, over photos with a used GNSS fix.
+  double gnss_vertical_rms_m = 0.0;
+  double estimated_sigma_horizontal_m = 0.0;
+  double estimated_sigma_vertical_m = 0.0;
+  double initial_focal_px = 0.0;
+  double scale_sigma = 0.0;  ///< Relative standard deviation of the scale that GNSS leaves.
+};
+
+/// Cameras and sparse points in the east-north-up frame at `origin`.
+struct Reconstruction {
+  GeodeticOrigin origin = {};
+  std::vector<CameraIntrinsics> cameras = {};
+  std::vector<View> views = {};
+  std::vector<ScenePoint> points = {};
+  ReconstructionQuality quality = {};
+  std::vector<std::string> warnings = {};
+};
+
+}  // namespace hybridfusion
