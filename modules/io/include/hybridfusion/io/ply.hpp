@@ -1,0 +1,52 @@
+#pragma once
+
+#include <hybridfusion/core/error.hpp>
+#include <hybridfusion/core/point_cloud.hpp>
+#include <hybridfusion/core/triangle_mesh.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hybridfusion {
+
+enum class PlyFormat : std::uint8_t { kBinaryLittleEndian, kAscii };
+
+struct PlyWriteOptions {
+  PlyFormat format = PlyFormat::kBinaryLittleEndian;
+  std::vector<std::string> comments = {};  ///< One header line each; line breaks become spaces.
+};
+
+/// Scalar vertex columns by name, e.g. label, drone and vehicle of truth/samples.ply.
+struct PlyTable {
+  std::vector<std::string> names = {};
+  std::vector<std::vector<double>> columns = {};  ///< One per name, all of the same length.
+
+  /// nullptr when there is no such column.
+  [[nodiscard]] const std::vector<double>* find(std::string_view name) const;
+  [[nodiscard]] std::size_t size() const { return columns.empty() ? 0 : columns.front().size(); }
+};
+
+/// Reads a PLY cloud: ascii or binary of either byte order, properties of any order and type, other
+/// elements skipped. x y z are required; nx ny nz, red green blue (also diffuse_*, r g b),
+/// intensity (also scalar_intensity, any case), time, sigma, confidence and source fill the
+/// channels of that name.
+/// @returns kNotFound for a missing file; kParse, naming the file, the cause and the next step, for
+/// an empty, truncated or non-PLY file and for non-finite coordinates.
+[[nodiscard]] Expected<PointCloud> read_ply(const std::filesystem::path& path);
+
+/// Vertices and faces; polygons become fans; a scalar face property `label` fills the labels.
+[[nodiscard]] Expected<TriangleMesh> read_ply_mesh(const std::filesystem::path& path);
+
+/// Every scalar property of the vertex element.
+[[nodiscard]] Expected<PlyTable> read_ply_columns(const std::filesystem::path& path);
+
+/// Writes the channels the cloud has. @pre validate(cloud)
+[[nodiscard]] Expected<void> write_ply(const std::filesystem::path& path,
+                                       const PointCloud& cloud,
+                                       const PlyWriteOptions& options = {});
+
+}  // namespace hybridfusion

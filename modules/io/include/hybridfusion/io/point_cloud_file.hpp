@@ -1,0 +1,23 @@
+#pragma once
+
+#include <hybridfusion/core/error.hpp>
+#include <hybridfusion/core/geodetic.hpp>
+#include <hybridfusion/core/point_cloud.hpp>
+
+#include <filesystem>
+#include <optional>
+
+namespace hybridfusion {
+
+/// Reads a cloud by its extension: .ply, .pcd, or .xyz/.txt/.csv/.pts (x y z [intensity] or
+/// x y z r g b per line).
+/// @returns kInvalidOptions for another extension, naming those that are read.
+[[nodiscard]] Expected<PointCloud> read_point_cloud(const std::filesystem::path& path);
+
+/// Writes by extension: .ply, .pcd, .xyz or .las.
+/// @param origin  ENU origin of the cloud; used where the format can say it (.las).
+[[nodiscard]] Expected<void> write_point_cloud(const std::filesystem::path& path,
+                                               const PointCloud& cloud,
+                                               const std::optional<GeodeticOrigin>& origin = {});
+
+}  // namespace hybridfusion

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <hybridfusion/core/error.hpp>
+#include <hybridfusion/core/options.hpp>
+#include <hybridfusion/core/sensor_data.hpp>
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace hybridfusion {
+
+struct RecordingTopic {
+  std::string name = {};
+  std::string type = {};                       ///< "sensor_msgs/Imu"
+  std::optional<std::uint64_t> messages = {};  ///< Absent when the file has no index.
+};
+
+/// What a recording holds, and how reading it went so far.
+struct RecordingSummary {
+  std::string format = {};                  ///< "ROS 1 bag 2.0"
+  std::vector<RecordingTopic> topics = {};  ///< Sorted by name.
+  std::string lidar_topic = {};             ///< As chosen; empty when there is none.
+  std::string imu_topic = {};
+  std::string gnss_topic = {};
+  std::string point_time = {};  ///< How point times were found; empty before a scan.
+  std::uint64_t num_scans = 0;  ///< Delivered so far, as are the next two.
+  std::uint64_t num_imu_samples = 0;
+  std::uint64_t num_gnss_fixes = 0;
+  std::uint64_t num_damaged_messages = 0;  ///< Skipped because their bytes made no sense.
+  bool truncated = false;                  ///< The file ends or breaks before its data does.
+  std::vector<std::string> warnings = {};
+};
+
+/// Choices that are otherwise made by looking at the recording; empty strings mean "detect".
+struct RecordingOptions {
+  std::string lidar_topic = {};
+  std::string imu_topic = {};
+  std::string gnss_topic = {};
+  std::string point_time_field = {};
+  std::string point_time_unit = {};
+};
+template <>
+struct OptionFields<RecordingOptions> {
+  using T = RecordingOptions;
+  static constexpr auto fields = std::tuple{
+      Field{&T::lidar_topic,
+            {.key = "lidar_topic", .doc = "LiDAR topic; empty: detect by type.", .source = "ours"}},
+      Field{&T::imu_topic,
+            {.key = "imu_topic", .doc = "IMU topic; empty: detect by type.", .source = "ours"}},
+      Field{&T::gnss_topic,
+            {.key = "gnss_topic",
+             .doc = "GNSS topic; empty: detect by type; 'none': ignore GNSS.",
+             .source = "ours"}},
+      Field{&T::point_time_field,
+            {.key = "point_time_field",
+             .doc = "PointCloud2 field with the time of each point; empty: detect by name; 'none': "
+                    "synthesise.",
+             .source = "ours"}},
+      Field{&T::point_time_unit,
+            {.key = "point_time_unit",
+             .choices = "|s|ms|us|ns",
+             .doc = "Unit of that field; empty: detect by the span of a scan.",
+             .source = "ours"}},
+  };
+};
+
+/// A recording of a LiDAR, an IMU and perhaps a GNSS receiver, message by message. The one
+/// interface of the library that others may implement: formats and live drivers plug in here.
+class ScanSource {
+ public:
+  ScanSource() = default;
+  ScanSource(const ScanSource&) = delete;
+  ScanSource& operator=(const ScanSource&) = delete;
+  virtual ~ScanSource() = default;
+
+  /// The next message in the order of recording; nothing at the end. Damaged messages are skipped
+  /// and counted. @returns kIo when the file can no longer be read.
+  [[nodiscard]] virtual Expected<std::optional<SensorMessage>> next() = 0;
+  /// What is known at this moment; complete after next() returned nothing.
+  [[nodiscard]] virtual RecordingSummary summary() const = 0;
+};
+
+/// Opens a recording (a ROS 1 bag 2.0 file, compressed or not, indexed or not) for streaming.
+/// @returns kNotFound for a missing file or when it has no LiDAR or no IMU topic (the message lists
+/// the topics there are); kParse for an empty file or one of another format; kInvalidOptions.
+[[nodiscard]] Expected<std::unique_ptr<ScanSource>> open_recording(
+    const std::filesystem::path& path, const RecordingOptions& options = {});
+
+/// What a recording holds without requiring anything of it: topics, and those that would be chosen.
+[[nodiscard]] Expected<RecordingSummary> inspect_recording(const std::filesystem::path& path);
+
+}  // namespace hybridfusion

@@ -1,0 +1,157 @@
+#include "cloud_builder.hpp"
+
+#include "text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+
+#include <fmt/format.h>
+
+namespace hybridfusion {
+namespace {
+
+// A float in a local frame of +-80 km rounds by at most 4 mm.
+constexpr double kMaxRounding_m = 0.005;
+
+[[nodiscard]] std::string normalised(std::string_view name) {
+  const std::string lower = lower_case(name);
+  constexpr std::string_view kPrefix = "scalar_";
+  return lower.starts_with(kPrefix) ? lower.substr(kPrefix.size()) : lower;
+}
+
+[[nodiscard]] int find_column(std::span<const CloudColumn> columns,
+                              std::initializer_list<std::string_view> names) {
+  for (const std::string_view name : names) {
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      if (normalised(columns[i].name) == name) return static_cast<int>(i);
+    }
+  }
+  return -1;
+}
+
+[[nodiscard]] bool complete(const std::array<int, 3>& columns) {
+  return std::ranges::all_of(columns, [](int column) { return column >= 0; });
+}
+
+[[nodiscard]] Eigen::Vector3d gather(std::span<const double> row, const std::array<int, 3>& from) {
+  return {row[from[0]], row[from[1]], row[from[2]]};
+}
+
+[[nodiscard]] std::uint8_t to_byte(double share) {
+  return static_cast<std::uint8_t>(std::lround(std::clamp(share, 0.0, 1.0) * 255.0));
+}
+
+}  // namespace
+
+CloudColumn cloud_column(std::string_view name, ScalarType type) {
+  constexpr std::array<double, 10> kMax = {
+      127.0, 255.0, 32767.0, 65535.0, 255.0, 255.0, 0.0, 0.0, 255.0, 255.0};
+  return {.name = std::string(name),
+          .floating = !is_integer(type),
+          .integer_max = kMax[static_cast<std::size_t>(type)]};  // wider integers count to 255 too
+}
+
+CloudBuilder::CloudBuilder(std::span<const CloudColumn> columns)
+    : position_{find_column(columns, {"x"}),
+                find_column(columns, {"y"}),
+                find_column(columns, {"z"})},
+      normal_{find_column(columns, {"nx", "normal_x"}),
+              find_column(columns, {"ny", "normal_y"}),
+              find_column(columns, {"nz", "normal_z"})},
+      color_{find_column(columns, {"red", "diffuse_red", "r"}),
+             find_column(columns, {"green", "diffuse_green", "g"}),
+             find_column(columns, {"blue", "diffuse_blue", "b"})},
+      intensity_(find_column(columns, {"intensity", "reflectivity"})),
+      time_(find_column(columns, {"time", "timestamp", "gps_time", "gpstime"})),
+      sigma_(find_column(columns, {"sigma"})),
+      confidence_(find_column(columns, {"confidence"})),
+      source_(find_column(columns, {"source"})) {
+  if (complete(color_)) {
+    const CloudColumn& red = columns[color_[0]];
+    color_max_ = red.floating ? 0.0 : red.integer_max;
+  }
+}
+
+bool CloudBuilder::has_coordinates() const {
+  return complete(position_);
+}
+
+void CloudBuilder::reserve(std::size_t count) {
+  cloud_.points.reserve(count);
+  if (complete(normal_)) cloud_.normals.reserve(count);
+  if (complete(color_)) cloud_.colors.reserve(count);
+  if (intensity_ >= 0) cloud_.intensities.reserve(count);
+  if (time_ >= 0) cloud_.times_s.reserve(count);
+  if (sigma_ >= 0) cloud_.sigmas_m.reserve(count);
+  if (confidence_ >= 0) cloud_.confidences.reserve(count);
+  if (source_ >= 0) cloud_.sources.reserve(count);
+}
+
+void CloudBuilder::add_color(std::span<const double> row) {
+  const Eigen::Vector3d color = gather(row, color_);
+  if (color_max_ == 0.0) {
+    // Written so that NaN becomes 0.
+    floating_colors_.push_back(
+        color.unaryExpr([](double c) { return c > 0.0 ? c : 0.0; }).cast<float>());
+  } else {
+    cloud_.colors.push_back({to_byte(color.x() / color_max_),
+                             to_byte(color.y() / color_max_),
+                             to_byte(color.z() / color_max_)});
+  }
+}
+
+bool CloudBuilder::add(std::span<const double> row) {
+  const Eigen::Vector3d point = gather(row, position_);
+  const Eigen::Vector3f stored = point.cast<float>();
+  if (!stored.allFinite()) return false;
+  const double rounding_m = (point - stored.cast<double>()).cwiseAbs().maxCoeff();
+  if (rounding_m > largest_rounding_m_) {
+    largest_rounding_m_ = rounding_m;
+    rounded_point_ = {point.x(), point.y(), point.z()};
+  }
+  cloud_.points.push_back(stored);
+  if (complete(normal_)) {
+    const Eigen::Vector3d normal = gather(row, normal_);
+    const bool usable = normal.allFinite() && normal.norm() < 1e6;
+    cloud_.normals.push_back(usable ? Eigen::Vector3f(normal.cast<float>())
+                                    : Eigen::Vector3f(Eigen::Vector3f::Zero()));
+  }
+  if (complete(color_)) add_color(row);
+  const auto finite = [&row](int column) { return std::isfinite(row[column]) ? row[column] : 0.0; };
+  if (intensity_ >= 0) cloud_.intensities.push_back(static_cast<float>(finite(intensity_)));
+  if (time_ >= 0) cloud_.times_s.push_back(finite(time_));
+  if (sigma_ >= 0) cloud_.sigmas_m.push_back(static_cast<float>(finite(sigma_)));
+  if (confidence_ >= 0) cloud_.confidences.push_back(static_cast<float>(finite(confidence_)));
+  if (source_ >= 0) {
+    cloud_.sources.push_back(row[source_] == 0.0 ? PointSource::kVision : PointSource::kLidar);
+  }
+  return true;
+}
+
+Expected<PointCloud> CloudBuilder::finish() && {
+  if (largest_rounding_m_ >= kMaxRounding_m) {
+    return fail(ErrorCode::kParse,
+                fmt::format("coordinates as large as ({:.2f}, {:.2f}, {:.2f}) cannot be kept to "
+                            "better than {:.3f} m; subtract a common offset from the clouds first",
+                            rounded_point_[0],
+                            rounded_point_[1],
+                            rounded_point_[2],
+                            largest_rounding_m_));
+  }
+  if (!floating_colors_.empty()) {
+    float largest = 0.0F;
+    for (const Eigen::Vector3f& color : floating_colors_) {
+      largest = std::max(largest, color.maxCoeff());
+    }
+    const double full_scale = largest <= 1.0F ? 1.0 : 255.0;
+    for (const Eigen::Vector3f& color : floating_colors_) {
+      cloud_.colors.push_back({to_byte(color.x() / full_scale),
+                               to_byte(color.y() / full_scale),
+                               to_byte(color.z() / full_scale)});
+    }
+  }
+  return std::move(cloud_);
+}
+
+}  // namespace hybridfusion

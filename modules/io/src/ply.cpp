@@ -1,0 +1,179 @@
+#include "cloud_builder.hpp"
+#include "ply_format.hpp"
+
+#include <hybridfusion/io/atomic_file.hpp>
+#include <hybridfusion/io/ply.hpp>
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace hybridfusion {
+namespace {
+
+constexpr std::string_view kAgain = "export the cloud again";
+
+/// Reads the elements before `name` away and returns it.
+Expected<const PlyElement*> advance_to(PlyReader& reader, std::string_view name) {
+  for (const PlyElement& element : reader.elements()) {
+    if (element.name == name) return &element;
+    if (auto skipped = reader.skip(element); !skipped) return std::unexpected(skipped.error());
+  }
+  return reader.file().malformed(fmt::format("there is no element '{}'", name),
+                                 "give a file with points");
+}
+
+/// Calls `visit(row_index, scalars, lists)` for each row of `element`.
+template <class Visit>
+Expected<void> for_each_row(PlyReader& reader, const PlyElement& element, Visit&& visit) {
+  if (element.properties.empty() && element.count > 0) {
+    return reader.file().malformed(fmt::format("element '{}' has no properties", element.name),
+                                   kAgain);
+  }
+  std::vector<double> scalars;
+  std::vector<std::vector<double>> lists;
+  for (std::uint64_t row = 0; row < element.count; ++row) {
+    if (auto read = reader.read_row(element, scalars, lists); !read) return read;
+    if (Expected<void> visited = visit(row, scalars, lists); !visited) return visited;
+  }
+  return {};
+}
+
+Expected<void> read_vertices(PlyReader& reader, const PlyElement& element, CloudBuilder& builder) {
+  if (!builder.has_coordinates()) {
+    return reader.file().malformed("the vertices have no x, y and z", "give a file with points");
+  }
+  builder.reserve(element.count);
+  return for_each_row(
+      reader,
+      element,
+      [&](std::uint64_t row, const std::vector<double>& scalars, const auto&) -> Expected<void> {
+        if (builder.add(scalars)) return {};
+        return reader.file().malformed(
+            fmt::format("vertex {} has a coordinate that is not finite", row),
+            "remove such points, then try again");
+      });
+}
+
+[[nodiscard]] CloudBuilder builder_for(const PlyElement& element) {
+  std::vector<CloudColumn> columns;
+  for (const PlyProperty& property : element.properties) {
+    // A list must not be taken for a coordinate: it keeps its place under a name nobody knows.
+    columns.push_back(property.count_type ? CloudColumn{}
+                                          : cloud_column(property.name, property.type));
+  }
+  return CloudBuilder(columns);
+}
+
+Expected<PointCloud> finish(const PlyReader& reader, CloudBuilder builder) {
+  auto cloud = std::move(builder).finish();
+  if (!cloud)
+    return std::unexpected(std::move(cloud.error()).with_context(reader.file().path().string()));
+  return cloud;
+}
+
+[[nodiscard]] int property_index(const PlyElement& element,
+                                 std::initializer_list<std::string_view> names,
+                                 bool list) {
+  for (std::size_t i = 0; i < element.properties.size(); ++i) {
+    const PlyProperty& property = element.properties[i];
+    if (property.count_type.has_value() == list &&
+        std::ranges::find(names, property.name) != names.end()) {
+      return static_cast<int>(i);
+    }
+  }
+  return -1;
+}
+
+Expected<void> read_faces(PlyReader& reader, const PlyElement& element, TriangleMesh& mesh) {
+  const int corners = property_index(element, {"vertex_indices", "vertex_index"}, true);
+  const int label = property_index(element, {"label"}, false);
+  if (corners < 0) {
+    return reader.file().malformed("the faces have no list 'vertex_indices'",
+                                   "export the mesh again");
+  }
+  const auto count = static_cast<double>(mesh.vertices.size());
+  return for_each_row(
+      reader,
+      element,
+      [&](std::uint64_t row, const auto& scalars, const auto& lists) -> Expected<void> {
+        const std::vector<double>& polygon = lists[corners];
+        if (!std::ranges::all_of(polygon, [count](double i) { return i >= 0.0 && i < count; })) {
+          return reader.file().malformed(
+              fmt::format("face {} names a vertex that does not exist", row),
+              "export the mesh again");
+        }
+        for (std::size_t i = 2; i < polygon.size(); ++i) {
+          mesh.triangles.push_back({static_cast<std::uint32_t>(polygon[0]),
+                                    static_cast<std::uint32_t>(polygon[i - 1]),
+                                    static_cast<std::uint32_t>(polygon[i])});
+          if (label >= 0) {
+            mesh.labels.push_back(
+                static_cast<std::uint8_t>(std::clamp(scalars[label], 0.0, 255.0)));
+          }
+        }
+        return {};
+      });
+}
+
+}  // namespace
+
+const std::vector<double>* PlyTable::find(std::string_view name) const {
+  const auto found = std::ranges::find(names, name);
+  return found == names.end() ? nullptr : &columns[found - names.begin()];
+}
+
+Expected<PointCloud> read_ply(const std::filesystem::path& path) {
+  HF_TRY(PlyReader reader, PlyReader::open(path));
+  HF_TRY(const PlyElement* vertices, advance_to(reader, "vertex"));
+  CloudBuilder builder = builder_for(*vertices);
+  if (auto read = read_vertices(reader, *vertices, builder); !read)
+    return std::unexpected(read.error());
+  return finish(reader, std::move(builder));
+}
+
+Expected<TriangleMesh> read_ply_mesh(const std::filesystem::path& path) {
+  HF_TRY(PlyReader reader, PlyReader::open(path));
+  TriangleMesh mesh;
+  bool has_vertices = false;
+  for (const PlyElement& element : reader.elements()) {
+    if (element.name == "vertex" && !has_vertices) {
+      CloudBuilder builder = builder_for(element);
+      if (auto read = read_vertices(reader, element, builder); !read)
+        return std::unexpected(read.error());
+      HF_TRY(PointCloud cloud, finish(reader, std::move(builder)));
+      mesh.vertices = std::move(cloud.points);
+      has_vertices = true;
+    } else if (element.name == "face" && has_vertices) {
+      if (auto read = read_faces(reader, element, mesh); !read)
+        return std::unexpected(read.error());
+      return mesh;
+    } else if (auto skipped = reader.skip(element); !skipped) {
+      return std::unexpected(skipped.error());
+    }
+  }
+  return reader.file().malformed("there are no vertices followed by faces", "give a triangle mesh");
+}
+
+Expected<PlyTable> read_ply_columns(const std::filesystem::path& path) {
+  HF_TRY(PlyReader reader, PlyReader::open(path));
+  HF_TRY(const PlyElement* vertices, advance_to(reader, "vertex"));
+  PlyTable table;
+  std::vector<std::size_t> from;
+  for (std::size_t i = 0; i < vertices->properties.size(); ++i) {
+    if (vertices->properties[i].count_type) continue;
+    from.push_back(i);
+    table.names.push_back(vertices->properties[i].name);
+  }
+  table.columns.resize(from.size());
+  for (std::vector<double>& column : table.columns) column.reserve(vertices->count);
+  auto read = for_each_row(
+      reader, *vertices, [&](std::uint64_t, const auto& scalars, const auto&) -> Expected<void> {
+        for (std::size_t c = 0; c < from.size(); ++c) table.columns[c].push_back(scalars[from[c]]);
+        return {};
+      });
+  if (!read) return std::unexpected(read.error());
+  return table;
+}
+
+}  // namespace hybridfusion

@@ -1,0 +1,232 @@
+#include "byte_reader.hpp"
+#include "point_time.hpp"
+#include "ros_message.hpp"
+#include "text.hpp"
+
+#include <hybridfusion/io/point_cloud2.hpp>
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+namespace hybridfusion {
+namespace {
+
+constexpr std::uint32_t kMaxFields = 256;
+
+struct PointField {
+  std::string name = {};
+  std::size_t offset = 0;
+  ScalarType type = ScalarType::kFloat32;
+};
+
+/// A sensor_msgs/PointCloud2 whose declared sizes were checked against its bytes.
+struct PointCloud2 {
+  Timestamp stamp{};
+  std::size_t height = 0;
+  std::size_t width = 0;
+  std::vector<PointField> fields = {};
+  std::endian order = std::endian::little;
+  std::size_t point_step = 0;
+  std::size_t row_step = 0;
+  std::span<const std::byte> data = {};
+
+  [[nodiscard]] const PointField* find(std::string_view name) const {
+    const auto found = std::ranges::find_if(
+        fields, [name](const PointField& field) { return lower_case(field.name) == name; });
+    return found == fields.end() ? nullptr : &*found;
+  }
+  [[nodiscard]] double value(std::size_t row, std::size_t column, const PointField& field) const {
+    return load_scalar(
+        data.data() + row * row_step + column * point_step + field.offset, field.type, order);
+  }
+};
+
+[[nodiscard]] std::unexpected<Error> damaged(std::string_view cause) {
+  return fail(
+      ErrorCode::kParse,
+      fmt::format("a PointCloud2 message is damaged: {}; record again if there are many", cause));
+}
+
+Expected<void> check_layout(const PointCloud2& cloud) {
+  if (cloud.height == 0 || cloud.width == 0) return {};
+  // All factors are below 2^32, so the products do not wrap in 64 bits.
+  if (cloud.width * cloud.point_step > cloud.row_step && cloud.height > 1) {
+    return damaged(fmt::format("{} points of {} bytes do not fit rows of {} bytes",
+                               cloud.width,
+                               cloud.point_step,
+                               cloud.row_step));
+  }
+  const std::size_t last_row = (cloud.height - 1) * cloud.row_step;
+  const std::size_t row_bytes = cloud.width * cloud.point_step;
+  if (last_row > cloud.data.size() || row_bytes > cloud.data.size() - last_row) {
+    return damaged(fmt::format("{} x {} points of {} bytes do not fit {} bytes of data",
+                               cloud.height,
+                               cloud.width,
+                               cloud.point_step,
+                               cloud.data.size()));
+  }
+  for (const PointField& field : cloud.fields) {
+    if (field.offset + size_of(field.type) > cloud.point_step) {
+      return damaged(fmt::format("field '{}' lies outside the point", printable(field.name)));
+    }
+  }
+  if (cloud.point_step == 0) return damaged("points of no bytes");
+  return {};
+}
+
+Expected<PointCloud2> parse(std::span<const std::byte> message) {
+  ByteReader reader(message);
+  PointCloud2 cloud;
+  cloud.stamp = read_ros_header(reader);
+  cloud.height = reader.read<std::uint32_t>();
+  cloud.width = reader.read<std::uint32_t>();
+  const auto num_fields = reader.read<std::uint32_t>();
+  if (num_fields > kMaxFields) return damaged(fmt::format("it announces {} fields", num_fields));
+  for (std::uint32_t i = 0; i < num_fields && !reader.failed(); ++i) {
+    PointField field;
+    field.name = reader.read_string();
+    field.offset = reader.read<std::uint32_t>();
+    const auto datatype = reader.read<std::uint8_t>();
+    reader.skip(sizeof(std::uint32_t));          // count: we read the first element of an array
+    if (datatype < 1 || datatype > 8) continue;  // a type of a driver's own is none of ours
+    field.type = static_cast<ScalarType>(datatype - 1);
+    cloud.fields.push_back(std::move(field));
+  }
+  cloud.order = reader.read<std::uint8_t>() != 0 ? std::endian::big : std::endian::little;
+  cloud.point_step = reader.read<std::uint32_t>();
+  cloud.row_step = reader.read<std::uint32_t>();
+  cloud.data = reader.take(reader.read<std::uint32_t>());
+  if (reader.failed()) return damaged("it ends early");
+  if (auto layout = check_layout(cloud); !layout) return std::unexpected(layout.error());
+  return cloud;
+}
+
+/// Bits 4 and 5 of a Livox tag grade the point: 0x00 and 0x10 are good, the others noise.
+[[nodiscard]] bool is_livox_noise(std::uint8_t tag) {
+  return (tag & 0x30U) > 0x10U;
+}
+
+[[nodiscard]] std::uint16_t to_ring(double value) {
+  return static_cast<std::uint16_t>(value >= 0.0 && value <= 65535.0 ? value : 0.0);
+}
+
+/// The fields of a scan that we read; those that may be missing are nullptr.
+struct ScanFields {
+  std::array<const PointField*, 3> position = {};
+  const PointField* intensity = nullptr;
+  const PointField* ring = nullptr;
+  const PointField* tag = nullptr;
+  const PointField* time = nullptr;
+};
+
+Expected<ScanFields> find_fields(const PointCloud2& cloud, const PointTimeReader& times) {
+  std::vector<std::string> names;
+  for (const PointField& field : cloud.fields) names.push_back(field.name);
+  const auto refuse = [&names](std::string_view cause) {
+    return fail(ErrorCode::kNotFound,
+                fmt::format("{}; the fields are: {}; choose another topic or time field",
+                            cause,
+                            printable(fmt::format("{}", fmt::join(names, ", ")))));
+  };
+  ScanFields fields = {.position = {cloud.find("x"), cloud.find("y"), cloud.find("z")}};
+  if (std::ranges::count(fields.position, nullptr) > 0) return refuse("the scans have no x, y, z");
+  fields.intensity = cloud.find("intensity");
+  if (fields.intensity == nullptr) fields.intensity = cloud.find("reflectivity");
+  for (const char* const name : {"channel", "line", "ring"}) {
+    if (const PointField* const found = cloud.find(name)) fields.ring = found;
+  }
+  fields.tag = cloud.find("tag");
+  if (fields.tag != nullptr && fields.tag->type != ScalarType::kUint8) fields.tag = nullptr;
+  const std::string& asked = times.options().field;
+  if (asked == "none") return fields;
+  if (const auto index = times.choose_field(names)) {
+    fields.time = &cloud.fields[*index];
+  } else if (!asked.empty()) {
+    return refuse(fmt::format("the scans have no time field '{}'", printable(asked)));
+  }
+  return fields;
+}
+
+}  // namespace
+
+ScanDecoder::ScanDecoder(PointTimeOptions options)
+    : times_(std::make_unique<PointTimeReader>(std::move(options))) {}
+ScanDecoder::ScanDecoder(ScanDecoder&&) noexcept = default;
+ScanDecoder& ScanDecoder::operator=(ScanDecoder&&) noexcept = default;
+ScanDecoder::~ScanDecoder() = default;
+
+Expected<LidarScan> ScanDecoder::decode_point_cloud2(std::span<const std::byte> message) {
+  HF_TRY(const PointCloud2 cloud, parse(message));
+  HF_TRY(const ScanFields fields, find_fields(cloud, *times_));
+  LidarScan scan = {.stamp = cloud.stamp};
+  RawPointTimes raw;
+  scan.points.reserve(cloud.height * cloud.width);
+  if (fields.time != nullptr) {
+    raw = {.field = fields.time->name, .type = fields.time->type};
+    raw.values.reserve(cloud.height * cloud.width);
+  }
+  for (std::size_t row = 0; row < cloud.height; ++row) {
+    for (std::size_t column = 0; column < cloud.width; ++column) {
+      const auto value = [&](const PointField& field) { return cloud.value(row, column, field); };
+      if (fields.tag != nullptr && is_livox_noise(static_cast<std::uint8_t>(value(*fields.tag)))) {
+        continue;
+      }
+      LidarPoint& point = scan.points.emplace_back();
+      for (int axis = 0; axis < 3; ++axis) {
+        point.point_in_lidar[axis] = static_cast<float>(value(*fields.position[axis]));
+      }
+      if (fields.intensity != nullptr)
+        point.intensity = static_cast<float>(value(*fields.intensity));
+      if (fields.ring != nullptr) point.ring = to_ring(value(*fields.ring));
+      if (fields.time != nullptr) raw.values.push_back(value(*fields.time));
+    }
+  }
+  times_->assign(scan, raw);
+  return scan;
+}
+
+Expected<LidarScan> ScanDecoder::decode_livox(std::span<const std::byte> message) {
+  constexpr std::size_t kPointBytes = 19;
+  ByteReader reader(message);
+  LidarScan scan = {.stamp = read_ros_header(reader)};
+  const auto timebase_ns = reader.read<std::uint64_t>();
+  reader.skip(sizeof(std::uint32_t) + 4);  // point_num, lidar_id, reserved
+  const auto num_points = reader.read<std::uint32_t>();
+  const auto points = reader.take(std::uint64_t{num_points} * kPointBytes);
+  if (reader.failed()) {
+    return fail(
+        ErrorCode::kParse,
+        fmt::format("a Livox message of {} bytes ends early; record again if there are many",
+                    message.size()));
+  }
+  constexpr std::uint64_t kMaxTime = std::uint64_t{1} << 62;
+  if (scan.stamp == Timestamp{} && timebase_ns < kMaxTime) scan.stamp = Timestamp(timebase_ns);
+  RawPointTimes raw = {.field = "offset_time", .type = ScalarType::kUint32};
+  scan.points.reserve(num_points);
+  raw.values.reserve(num_points);
+  for (std::size_t i = 0; i < num_points; ++i) {
+    const std::byte* const bytes = points.data() + i * kPointBytes;
+    if (is_livox_noise(load<std::uint8_t>(bytes + 17))) continue;
+    LidarPoint& point = scan.points.emplace_back();
+    raw.values.push_back(load<std::uint32_t>(bytes));
+    point.point_in_lidar = {
+        load<float>(bytes + 4), load<float>(bytes + 8), load<float>(bytes + 12)};
+    point.intensity = load<std::uint8_t>(bytes + 16);
+    point.ring = load<std::uint8_t>(bytes + 18);
+  }
+  if (times_->options().field == "none") raw.values.clear();
+  times_->assign(scan, raw);
+  return scan;
+}
+
+const std::string& ScanDecoder::point_time() const {
+  return times_->description();
+}
+
+std::vector<std::string> ScanDecoder::take_warnings() {
+  return times_->take_warnings();
+}
+
+}  // namespace hybridfusion

@@ -1,0 +1,161 @@
+#include "recording_topics.hpp"
+
+#include "text.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include <fmt/format.h>
+
+namespace hybridfusion {
+namespace {
+
+[[nodiscard]] bool is_lidar(std::string_view type) {
+  return is_point_cloud2(type) || is_livox(type);
+}
+
+[[nodiscard]] std::string list_topics(const std::vector<RecordingTopic>& topics) {
+  constexpr std::size_t kMaxListed = 40;
+  std::string list;
+  for (std::size_t i = 0; i < std::min(topics.size(), kMaxListed); ++i) {
+    const RecordingTopic& topic = topics[i];
+    list += fmt::format("{}{} ({}{})",
+                        i == 0 ? "" : ", ",
+                        printable(topic.name),
+                        printable(topic.type),
+                        topic.messages ? fmt::format(", {} messages", *topic.messages) : "");
+  }
+  if (topics.size() > kMaxListed) list += fmt::format(" and {} more", topics.size() - kMaxListed);
+  return list.empty() ? "none at all" : list;
+}
+
+struct Role {
+  std::string_view name;      ///< "LiDAR"
+  std::string_view option;    ///< "lidar_topic"
+  std::string_view expected;  ///< Message types, for a person.
+  bool (*accepts)(std::string_view type);
+};
+constexpr Role kLidar = {
+    "LiDAR", "lidar_topic", "sensor_msgs/PointCloud2 or livox_ros_driver/CustomMsg", is_lidar};
+constexpr Role kImu = {"IMU", "imu_topic", "sensor_msgs/Imu", is_imu};
+constexpr Role kGnss = {"GNSS", "gnss_topic", "sensor_msgs/NavSatFix", is_gnss};
+
+Expected<std::string> asked_for(const std::filesystem::path& path,
+                                const Role& role,
+                                const std::string& topic,
+                                const RecordingSummary& summary) {
+  const auto found = std::ranges::find(summary.topics, topic, &RecordingTopic::name);
+  if (found != summary.topics.end() && role.accepts(found->type)) return topic;
+  return fail(
+      ErrorCode::kNotFound,
+      fmt::format("{}: the {} topic '{}' {}; topics: {}; correct {} or leave it out to detect "
+                  "the topic",
+                  path.string(),
+                  role.name,
+                  printable(topic),
+                  found == summary.topics.end()
+                      ? std::string("does not exist")
+                      : fmt::format("has type {}, not {}", printable(found->type), role.expected),
+                  list_topics(summary.topics),
+                  role.option));
+}
+
+/// Best candidate by type; empty when there is none.
+[[nodiscard]] std::string detected(const Role& role, RecordingSummary& summary) {
+  std::vector<RecordingTopic> candidates;
+  std::ranges::copy_if(
+      summary.topics, std::back_inserter(candidates), [&role](const RecordingTopic& topic) {
+        // A topic that was announced but never sent is no use.
+        return role.accepts(topic.type) && topic.messages.value_or(1) > 0;
+      });
+  if (candidates.empty()) return {};
+  std::ranges::stable_sort(candidates, [](const RecordingTopic& a, const RecordingTopic& b) {
+    if (is_livox(a.type) != is_livox(b.type)) return is_livox(a.type);
+    return a.messages.value_or(1) > b.messages.value_or(1);
+  });
+  if (candidates.size() > 1) {
+    std::string others;
+    for (std::size_t i = 1; i < candidates.size(); ++i) {
+      others += (i == 1 ? "" : ", ") + printable(candidates[i].name);
+    }
+    summary.warnings.push_back(
+        fmt::format("several {} topics: {} is used, not {}; set {} to choose",
+                    role.name,
+                    candidates.front().name,
+                    others,
+                    role.option));
+  }
+  return candidates.front().name;
+}
+
+[[nodiscard]] std::unexpected<Error> missing(const std::filesystem::path& path,
+                                             const Role& role,
+                                             const RecordingSummary& summary) {
+  return fail(ErrorCode::kNotFound,
+              fmt::format("{}: no {} topic ({}); topics: {}; record the {} or give another bag",
+                          path.string(),
+                          role.name,
+                          role.expected,
+                          list_topics(summary.topics),
+                          role.name));
+}
+
+}  // namespace
+
+bool is_point_cloud2(std::string_view type) {
+  return type == "sensor_msgs/PointCloud2";
+}
+
+bool is_livox(std::string_view type) {
+  return type == "livox_ros_driver/CustomMsg" || type == "livox_ros_driver2/CustomMsg";
+}
+
+bool is_imu(std::string_view type) {
+  return type == "sensor_msgs/Imu";
+}
+
+bool is_gnss(std::string_view type) {
+  return type == "sensor_msgs/NavSatFix";
+}
+
+std::vector<RecordingTopic> recording_topics(const std::vector<BagConnection>& connections) {
+  std::map<std::string, RecordingTopic> by_name;
+  for (const BagConnection& connection : connections) {
+    const auto [found, is_new] = by_name.try_emplace(
+        connection.topic, RecordingTopic{connection.topic, connection.type, connection.messages});
+    if (!is_new && connection.messages) {
+      found->second.messages = found->second.messages.value_or(0) + *connection.messages;
+    }
+  }
+  std::vector<RecordingTopic> topics;
+  for (auto& [name, topic] : by_name) topics.push_back(std::move(topic));
+  return topics;
+}
+
+Expected<void> choose_topics(const std::filesystem::path& path,
+                             const RecordingOptions& options,
+                             Require require,
+                             RecordingSummary& summary) {
+  struct Choice {
+    const Role& role;
+    const std::string& asked;
+    std::string& chosen;
+  };
+  for (const Choice& choice : {Choice{kLidar, options.lidar_topic, summary.lidar_topic},
+                               Choice{kImu, options.imu_topic, summary.imu_topic},
+                               Choice{kGnss, options.gnss_topic, summary.gnss_topic}}) {
+    const bool optional = &choice.role == &kGnss;
+    if (optional && choice.asked == "none") continue;
+    if (choice.asked.empty()) {
+      choice.chosen = detected(choice.role, summary);
+    } else {
+      HF_TRY(choice.chosen, asked_for(path, choice.role, choice.asked, summary));
+    }
+    if (choice.chosen.empty() && require == Require::kLidarAndImu && !optional) {
+      return missing(path, choice.role, summary);
+    }
+  }
+  return {};
+}
+
+}  // namespace hybridfusion
