@@ -1,0 +1,61 @@
+#pragma once
+
+#include <hybridfusion/core/point_cloud.hpp>
+#include <hybridfusion/core/run_context.hpp>
+#include <hybridfusion/core/sensor_data.hpp>
+#include <hybridfusion/core/trajectory.hpp>
+#include <hybridfusion/lidar/odometry.hpp>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace hybridfusion {
+
+/// A mapped drive. The map frame: origin at the first IMU position, z up, heading of the first
+/// IMU x axis.
+struct MappingResult {
+  Trajectory trajectory = {};               ///< map_from_imu at the end of each scan.
+  PointCloud map = {};                      ///< L: points, intensities, times_s in the map frame.
+  std::vector<ScanQuality> quality = {};    ///< One for each pose.
+  /// One for each pose, before refinement: [translation in map; rotation in the IMU frame].
+  std::vector<Eigen::Matrix<double, 6, 6>> covariances = {};
+  std::vector<GnssFix> gnss_fixes = {};     ///< As received, for align_gnss.
+  OdometrySummary odometry = {};
+  int refine_iterations = 0;                ///< 0 when refinement is off or had nothing to do.
+  std::size_t num_refine_planes = 0;
+  double refine_rms_before_m = 0.0;         ///< Of points about common planes.
+  double refine_rms_after_m = 0.0;
+  double level_correction_rad = 0.0;        ///< Turn that made the first level estimate final.
+  std::vector<std::string> warnings = {};   ///< What a user should know, in full sentences.
+};
+
+/// "time,points,matched,mean_residual_m,min_information,flags", and a row of it.
+[[nodiscard]] std::string quality_csv_header();
+[[nodiscard]] std::string quality_csv_row(const ScanQuality& quality);
+
+/// HybridFusion III-B from messages to map: odometry while messages come in, refinement and dense
+/// map at the end. Memory: 12 bytes a point of every scan (at most max_points_per_scan of each)
+/// until finish(), then 44 bytes a dense voxel.
+class LidarMapper {
+ public:
+  /// @returns kInvalidOptions.
+  [[nodiscard]] static Expected<LidarMapper> create(const OdometryOptions& options,
+                                                    const LidarRig& rig);
+  LidarMapper(LidarMapper&&) noexcept;
+  LidarMapper& operator=(LidarMapper&&) noexcept;
+  ~LidarMapper();
+
+  /// Messages in the order of recording.
+  void add(SensorMessage message);
+  [[nodiscard]] std::size_t num_located_scans() const;
+  /// @returns kInsufficient without IMU samples, scans or a single point in the map; kCancelled.
+  [[nodiscard]] Expected<MappingResult> finish(const RunContext& ctx);
+
+ private:
+  struct Impl;
+  explicit LidarMapper(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace hybridfusion

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "scan_store.hpp"
+
+#include <hybridfusion/core/point_cloud.hpp>
+#include <hybridfusion/core/run_context.hpp>
+#include <hybridfusion/lidar/odometry_options.hpp>
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace hybridfusion {
+
+/// Thins a stream of points to one (the mean) in each voxel and remembers how many scans hit it.
+/// 44 bytes a voxel.
+class DenseMap {
+ public:
+  explicit DenseMap(const DenseMapOptions& options);
+
+  /// @pre scans come in order; `scan` counts them.
+  void add(std::uint32_t scan,
+           const Eigen::Vector3f& point_in_map,
+           float intensity,
+           float time_s);
+  /// Voxels that, with their neighbours, were hit in min_scans scans, in order of their first hit.
+  /// @param time_origin  Added to the times given to add().
+  [[nodiscard]] PointCloud extract(Timestamp time_origin) const;
+  [[nodiscard]] std::size_t size() const { return voxels_.size(); }
+
+ private:
+  struct Voxel {
+    std::uint64_t key = 0;
+    Eigen::Vector3f mean = Eigen::Vector3f::Zero();
+    float intensity = 0.0F;
+    float time_s = 0.0F;
+    std::uint32_t last_scan = 0;
+    std::uint16_t num_points = 0;
+    std::uint16_t num_scans = 0;
+  };
+  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+  [[nodiscard]] std::size_t slot_of(std::uint64_t key) const;
+  [[nodiscard]] bool is_supported(const Voxel& voxel) const;
+  void grow();
+
+  DenseMapOptions options_;
+  std::vector<std::uint32_t> slots_;
+  std::vector<Voxel> voxels_ = {};
+};
+
+/// The dense map of all scans; their points leave `store` on the way. @returns kCancelled.
+[[nodiscard]] Expected<PointCloud> build_dense_map(const DenseMapOptions& options,
+                                                   const RunContext& ctx,
+                                                   ScanStore& store);
+
+}  // namespace hybridfusion

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "scan_store.hpp"
+
+#include <optional>
+#include <span>
+
+namespace hybridfusion {
+
+struct GravityFit {
+  Eigen::Vector3d gravity_in_map = Eigen::Vector3d::Zero();   ///< [m/s^2]
+  Eigen::Vector3d accel_bias_mps2 = Eigen::Vector3d::Zero();  ///< In the IMU frame.
+  double tilt_sigma_rad = 0.0;  ///< Formal deviation of gravity's direction.
+};
+
+/// Gravity and accelerometer bias that best explain the scan poses by what the IMU measured between
+/// them; velocities drop out by differences over neighbouring windows. Nothing when there are too
+/// few unbridged windows.
+[[nodiscard]] std::optional<GravityFit> fit_gravity(std::span<const StoredScan> scans);
+
+/// Turns the map about its first pose so that gravity points down: by fit_gravity where that is
+/// certain enough, else as the filter came to know gravity.
+/// @returns the angle of that turn [rad].
+double level_map(std::vector<StoredScan>& scans);
+
+}  // namespace hybridfusion

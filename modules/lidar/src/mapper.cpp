@@ -1,0 +1,131 @@
+#include "dense_map.hpp"
+#include "levelling.hpp"
+#include "refinement.hpp"
+#include "scan_store.hpp"
+
+#include <hybridfusion/lidar/mapper.hpp>
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace hybridfusion {
+namespace {
+
+template <class... Handlers>
+struct Overloaded : Handlers... {
+  using Handlers::operator()...;
+};
+
+void add_warnings(const OdometrySummary& summary, std::vector<std::string>& warnings) {
+  warnings = summary.warnings;
+  const auto note = [&](std::size_t count, const char* what) {
+    if (count > 0) warnings.push_back(fmt::format("{} {}", count, what));
+  };
+  note(summary.num_imu_gaps, "gaps in the IMU stream were bridged");
+  note(summary.num_lidar_gaps, "gaps between LiDAR scans were bridged by the IMU");
+  note(summary.num_scans_dropped, "scans with repeated or late stamps were dropped");
+  note(summary.num_imu_dropped, "IMU samples with repeated, late or invalid values were dropped");
+  note(summary.num_unmatched_scans, "scans could not be matched: their poses are predictions");
+  note(summary.num_degenerate_scans, "scans left a direction undetermined: held to the prediction");
+}
+
+}  // namespace
+
+struct LidarMapper::Impl {
+  LidarOdometry odometry;
+  OdometryOptions options;
+  ScanStore store;
+  MappingResult result = {};
+
+  void collect();
+};
+
+void LidarMapper::Impl::collect() {
+  for (const ScanEstimate& scan : odometry.take()) {
+    store.add(scan);
+    result.quality.push_back(scan.quality);
+    result.covariances.push_back(scan.covariance);
+  }
+}
+
+LidarMapper::LidarMapper(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+LidarMapper::LidarMapper(LidarMapper&&) noexcept = default;
+LidarMapper& LidarMapper::operator=(LidarMapper&&) noexcept = default;
+LidarMapper::~LidarMapper() = default;
+
+Expected<LidarMapper> LidarMapper::create(const OdometryOptions& options, const LidarRig& rig) {
+  HF_TRY(LidarOdometry odometry, LidarOdometry::create(options, rig));
+  return LidarMapper(
+      std::make_unique<Impl>(Impl{.odometry = std::move(odometry),
+                                  .options = options,
+                                  .store = ScanStore(options.max_points_per_scan)}));
+}
+
+void LidarMapper::add(SensorMessage message) {
+  std::visit(Overloaded{[&](ImuSample& sample) { impl_->odometry.add_imu(sample); },
+                        [&](LidarScan& scan) { impl_->odometry.add_scan(std::move(scan)); },
+                        [&](GnssFix& fix) { impl_->result.gnss_fixes.push_back(fix); }},
+             message);
+  impl_->collect();
+}
+
+std::size_t LidarMapper::num_located_scans() const {
+  return impl_->store.scans().size();
+}
+
+Expected<MappingResult> LidarMapper::finish(const RunContext& ctx) {
+  if (auto finished = impl_->odometry.finish(); !finished) {
+    return std::unexpected(std::move(finished).error());
+  }
+  impl_->collect();
+  MappingResult& result = impl_->result;
+  ScanStore& store = impl_->store;
+  result.odometry = impl_->odometry.summary();
+  add_warnings(result.odometry, result.warnings);
+  if (impl_->options.refine.enabled) {
+    auto report = refine_poses(impl_->options.refine, ctx, store);
+    if (!report && report.error().code == ErrorCode::kCancelled) {
+      return std::unexpected(std::move(report).error());
+    }
+    if (report) {
+      result.refine_iterations = report->iterations;
+      result.num_refine_planes = report->num_planes;
+      result.refine_rms_before_m = report->rms_before_m;
+      result.refine_rms_after_m = report->rms_after_m;
+    } else {
+      result.warnings.push_back("the poses are not refined: " + report.error().message);
+    }
+  }
+  result.level_correction_rad = level_map(store.scans());
+  for (const StoredScan& scan : store.scans()) {
+    result.trajectory.poses.push_back({.time = scan.time, .map_from_body = scan.map_from_imu});
+  }
+  HF_TRY(result.map, build_dense_map(impl_->options.map, ctx, store));
+  if (result.map.empty()) {
+    return fail(ErrorCode::kInsufficient,
+                fmt::format("{} scans gave no map point; are their points within {} .. {} m?",
+                            result.trajectory.poses.size(),
+                            impl_->options.min_range_m,
+                            impl_->options.map.max_range_m));
+  }
+  return std::move(result);
+}
+
+std::string quality_csv_header() {
+  return "time,points,matched,mean_residual_m,min_information,flags";
+}
+
+std::string quality_csv_row(const ScanQuality& quality) {
+  constexpr std::int64_t kNsPerSecond = 1'000'000'000;
+  return fmt::format("{}.{:09},{},{},{:.5f},{:.1f},{}",
+                     quality.time.count() / kNsPerSecond,
+                     quality.time.count() % kNsPerSecond,
+                     quality.num_points,
+                     quality.num_matched,
+                     quality.mean_residual_m,
+                     quality.min_information,
+                     flags_text(quality.flags));
+}
+
+}  // namespace hybridfusion

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "plane_adjustment.hpp"
+#include "scan_store.hpp"
+
+#include <hybridfusion/lidar/odometry_options.hpp>
+
+namespace hybridfusion {
+
+struct RefinementReport {
+  int iterations = 0;
+  std::size_t num_segments = 0;
+  std::size_t num_planes = 0;
+  double rms_before_m = 0.0;  ///< Of cluster means about their planes, first pass.
+  double rms_after_m = 0.0;   ///< Last pass.
+};
+
+/// Improves all scan poses in `store` together (see adjust_planes). @returns kCancelled.
+[[nodiscard]] Expected<RefinementReport> refine_poses(const LidarRefineOptions& options,
+                                                      const RunContext& ctx,
+                                                      ScanStore& store);
+
+}  // namespace hybridfusion

@@ -1,0 +1,129 @@
+#include "scan_filter.hpp"
+
+#include "deskew.hpp"
+#include "iterated_update.hpp"
+#include "scan_matching.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hybridfusion {
+namespace {
+
+// A plane takes five map points, a pose many planes: below this the map only grows.
+constexpr std::size_t kMinMapPoints = 50;
+
+constexpr std::uint32_t bit(ScanFlag flag) {
+  return static_cast<std::uint32_t>(flag);
+}
+
+std::vector<Eigen::Vector3f> pick(const std::vector<LidarPoint>& points,
+                                  const std::vector<std::size_t>& indices) {
+  std::vector<Eigen::Vector3f> out;
+  out.reserve(indices.size());
+  for (const std::size_t i : indices) out.push_back(points[i].point_in_lidar);
+  return out;
+}
+
+}  // namespace
+
+ScanFilter::ScanFilter(const OdometryOptions& options,
+                       const LidarRig& rig,
+                       const StateEstimate& initial,
+                       Timestamp time)
+    : options_(options),
+      noise_(rig.imu_noise),
+      estimate_(initial),
+      time_(time),
+      map_(options.local_map.voxel_m) {}
+
+ImuStep ScanFilter::bridged(ImuStep step) const {
+  // Without an IMU the motion of the last scan goes on: constant velocity and turn rate.
+  if (step.held) {
+    const NavState& state = estimate_.state;
+    step.angular_velocity_radps = rate_radps_ + state.gyro_bias;
+    step.specific_force_mps2 =
+        state.accel_bias - state.map_from_imu.transpose() * state.gravity_in_map;
+  }
+  return step;
+}
+
+void ScanFilter::predict(const ImuBuffer& imu, ScanEstimate& scan) {
+  for (const ImuStep& sample : imu.steps(time_, scan.time)) {
+    const ImuStep step = bridged(sample);
+    integrate(step, estimate_.state.gyro_bias, scan.since_last);
+    propagate(step, noise_, estimate_);
+    if (step.bridged) scan.quality.flags |= bit(ScanFlag::kImuGap);
+    if (step.saturated) scan.quality.flags |= bit(ScanFlag::kSaturated);
+  }
+  time_ = scan.time;
+}
+
+ScanEstimate ScanFilter::process(const PreparedScan& scan, const ImuBuffer& imu) {
+  ScanEstimate out{.start = scan.stamp, .time = scan.end};
+  out.quality = {.time = scan.end,
+                 .num_points = static_cast<int>(scan.points.size()),
+                 .flags = scan.flags};
+  const Eigen::Matrix3d map_from_last = estimate_.state.map_from_imu;
+  predict(imu, out);
+  std::vector<ImuStep> steps = imu.steps(scan.begin, scan.end);
+  for (ImuStep& step : steps) step = bridged(step);
+  const std::int64_t end_ns = (scan.end - scan.stamp).count();
+  const auto deskew_to = [&](const NavState& end) {
+    deskew(scan.points, path_before(end, steps), end, end_ns, out.deskewed);
+  };
+  deskew_to(estimate_.state);
+  bool usable = true;
+  if (map_.size() >= kMinMapPoints) {
+    const std::vector<std::size_t> chosen = thin(out.deskewed, options_.filter.scan_voxel_m);
+    ScanMatcher matcher(map_, options_.filter);
+    matcher.set_points(pick(out.deskewed, chosen));
+    const auto repeat_deskew = [&](const NavState& end, ScanMatcher& points) {
+      deskew_to(end);
+      points.update_points(pick(out.deskewed, chosen));
+    };
+    const UpdateReport report =
+        iterated_update(options_.filter, repeat_deskew, matcher, estimate_);
+    out.quality.num_matched = report.num_matched;
+    out.quality.mean_residual_m = report.mean_residual_m;
+    out.quality.min_information = report.min_information;
+    out.quality.flags |= report.flags;
+    usable = (report.flags & (bit(ScanFlag::kUnmatched) | bit(ScanFlag::kDiverged))) == 0;
+    deskew_to(estimate_.state);
+  }
+  if (usable) extend_map(out.deskewed);
+  if (out.since_last.duration_s > 0.0) {
+    rate_radps_ = so3_log(map_from_last.transpose() * estimate_.state.map_from_imu) /
+                  out.since_last.duration_s;
+  }
+
+  const NavState& state = estimate_.state;
+  out.map_from_imu = state.pose();
+  out.velocity_in_map = state.velocity_in_map;
+  out.gyro_bias_radps = state.gyro_bias;
+  out.accel_bias_mps2 = state.accel_bias;
+  out.gravity_in_map = state.gravity_in_map;
+  out.gravity_sigma_rad =
+      std::sqrt(estimate_.covariance.block<2, 2>(err::kGravity, err::kGravity).trace());
+  out.imu_from_lidar = {.rotation = Eigen::Quaterniond(state.imu_from_lidar),
+                        .translation = state.lidar_in_imu};
+  out.covariance = estimate_.covariance.topLeftCorner<6, 6>();
+  return out;
+}
+
+void ScanFilter::extend_map(const std::vector<LidarPoint>& deskewed) {
+  const Eigen::Matrix3f rotation = estimate_.state.map_from_imu.cast<float>();
+  const Eigen::Vector3f position = estimate_.state.position_in_map.cast<float>();
+  for (const LidarPoint& point : deskewed) {
+    map_.insert(rotation * point.point_in_lidar + position);
+  }
+  // HybridFusion III-B.2: when the sensing range touches the border of the cube, the cube follows.
+  const double half_side_m = 0.5 * options_.local_map.cube_side_m;
+  const Eigen::Vector3d offset = estimate_.state.position_in_map - cube_center_;
+  if (offset.cwiseAbs().maxCoeff() > half_side_m - options_.max_range_m) {
+    cube_center_ = estimate_.state.position_in_map;
+    map_.erase_outside(cube_center_.cast<float>(), static_cast<float>(half_side_m));
+  }
+}
+
+}  // namespace hybridfusion
