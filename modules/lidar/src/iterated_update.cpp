@@ -143,11 +143,9 @@ UpdateReport iterated_update(
     const double shift_m = step.error.segment<3>(err::kPosition).norm();
     const double turn_rad = step.error.segment<3>(err::kRotation).norm();
     moved_m += shift_m + turn_rad * matcher.reach_m();
-    if (pass == 0) {
-      repeat_deskew(posterior.state, matcher);
-    } else if (shift_m < kConverged_m && turn_rad < kConverged_rad) {
-      break;
-    }
+    // Where points are seen from the IMU depends on the extrinsic: then every pass needs it anew.
+    if (pass == 0 || options.estimate_extrinsic) repeat_deskew(posterior.state, matcher);
+    if (pass > 0 && shift_m < kConverged_m && turn_rad < kConverged_rad) break;
   }
   if (!is_plausible(options, estimate, posterior)) {
     report.flags |= bit(ScanFlag::kDiverged);

@@ -12,6 +12,9 @@ namespace {
 
 // A plane takes five map points, a pose many planes: below this the map only grows.
 constexpr std::size_t kMinMapPoints = 50;
+// How far a given extrinsic may be off where it is to be refined.
+constexpr double kExtrinsicSigma_m = 0.02;
+constexpr double kExtrinsicSigma_rad = 0.03;
 
 constexpr std::uint32_t bit(ScanFlag flag) {
   return static_cast<std::uint32_t>(flag);
@@ -35,7 +38,14 @@ ScanFilter::ScanFilter(const OdometryOptions& options,
       noise_(rig.imu_noise),
       estimate_(initial),
       time_(time),
-      map_(options.local_map.voxel_m) {}
+      map_(options.local_map.voxel_m) {
+  if (options.filter.estimate_extrinsic) {
+    estimate_.covariance.diagonal().segment<3>(err::kExtrinsicPosition).setConstant(
+        kExtrinsicSigma_m * kExtrinsicSigma_m);
+    estimate_.covariance.diagonal().segment<3>(err::kExtrinsicRotation).setConstant(
+        kExtrinsicSigma_rad * kExtrinsicSigma_rad);
+  }
+}
 
 ImuStep ScanFilter::bridged(ImuStep step) const {
   // Without an IMU the motion of the last scan goes on: constant velocity and turn rate.

@@ -1,0 +1,30 @@
+#include "cli.hpp"
+
+#include <hybridfusion/pipeline/options_file.hpp>
+
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+namespace hybridfusion::cli {
+
+void add_config_command(CLI::App& app, Command& chosen) {
+  CLI::App* command = app.add_subcommand(
+      "config",
+      "Prints every option with its value as YAML, as --config reads it; --config and --set are "
+      "applied first, so it also checks a file.");
+  auto markdown = std::make_shared<bool>(false);
+  command->add_flag("--markdown", *markdown, "Reference table: unit, default, range, meaning");
+  command->footer(help_footer("hybridfusion config --markdown > options.md"));
+  command->callback([markdown, &chosen] {
+    chosen = [markdown](Session& session) {
+      fmt::print(
+          "{}",
+          *markdown ? options_reference() + simulation_reference() : to_yaml(session.options));
+      return kDone;
+    };
+  });
+}
+
+}  // namespace hybridfusion::cli

@@ -1,0 +1,42 @@
+#include "cli.hpp"
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include <CLI/CLI.hpp>
+
+namespace hybridfusion::cli {
+namespace {
+
+struct MapArguments {
+  std::string bag = {};
+  std::string output = {};
+  std::string sensors = {};
+};
+
+}  // namespace
+
+void add_map_command(CLI::App& app, Command& chosen) {
+  CLI::App* command = app.add_subcommand(
+      "map",
+      "Module B: LiDAR + IMU (+ GNSS) recording -> trajectory and map. Writes OUTPUT/lidar: "
+      "trajectory.tum, map.ply, quality.csv and, with GNSS, gnss.json.");
+  auto arguments = std::make_shared<MapArguments>();
+  command->add_option("--bag", arguments->bag, "ROS 1 bag with LiDAR and IMU")->required();
+  command->add_option("--output", arguments->output, "Workspace folder")->required();
+  command->add_option(
+      "--sensors", arguments->sensors, "sensors.yaml (default: the one beside the bag)");
+  command->footer(help_footer("hybridfusion map --bag street.bag --output result/"));
+  command->callback([arguments, &chosen] {
+    chosen = [arguments](Session& session) {
+      std::optional<std::filesystem::path> sensors;
+      if (!arguments->sensors.empty()) sensors = arguments->sensors;
+      return run_stages(session, arguments->output, {}, {[&](Project& project) {
+                          return map_stage(project, arguments->bag, sensors, session.context);
+                        }});
+    };
+  });
+}
+
+}  // namespace hybridfusion::cli

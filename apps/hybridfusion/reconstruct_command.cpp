@@ -1,0 +1,35 @@
+#include "cli.hpp"
+
+#include <memory>
+
+#include <CLI/CLI.hpp>
+
+namespace hybridfusion::cli {
+namespace {
+
+struct ReconstructArguments {
+  std::string images = {};
+  std::string output = {};
+};
+
+}  // namespace
+
+void add_reconstruct_command(CLI::App& app, Command& chosen) {
+  CLI::App* command = app.add_subcommand(
+      "reconstruct",
+      "Module A: photos -> camera poses and dense cloud. Writes OUTPUT/vision: COLMAP text model, "
+      "positions.csv, dense.ply, origin.json.");
+  auto arguments = std::make_shared<ReconstructArguments>();
+  command->add_option("--images", arguments->images, "Folder of JPEG photos with GNSS")->required();
+  command->add_option("--output", arguments->output, "Workspace folder")->required();
+  command->footer(help_footer("hybridfusion reconstruct --images flight/ --output result/"));
+  command->callback([arguments, &chosen] {
+    chosen = [arguments](Session& session) {
+      return run_stages(session, arguments->output, {}, {[&](Project& project) {
+                          return reconstruct_stage(project, arguments->images, session.context);
+                        }});
+    };
+  });
+}
+
+}  // namespace hybridfusion::cli

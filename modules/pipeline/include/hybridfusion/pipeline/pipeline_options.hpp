@@ -1,0 +1,84 @@
+#pragma once
+
+#include <hybridfusion/core/options.hpp>
+#include <hybridfusion/io/scan_source.hpp>
+#include <hybridfusion/lidar/gnss_alignment.hpp>
+#include <hybridfusion/lidar/odometry_options.hpp>
+#include <hybridfusion/pipeline/evaluation_options.hpp>
+#include <hybridfusion/registration/fuse_clouds.hpp>
+#include <hybridfusion/registration/registration_options.hpp>
+#include <hybridfusion/vision/densify_options.hpp>
+#include <hybridfusion/vision/reconstruction_options.hpp>
+
+namespace hybridfusion {
+
+/// Module A: photos -> dense cloud.
+struct VisionStageOptions {
+  ReconstructionOptions reconstruction = {};
+  DensifyOptions densify = {};
+};
+template <>
+struct OptionFields<VisionStageOptions> {
+  using T = VisionStageOptions;
+  static constexpr auto fields = std::tuple{
+      Field{&T::reconstruction, {.key = "reconstruction", .doc = "Camera poses."}},
+      Field{&T::densify, {.key = "densify", .doc = "Dense cloud."}},
+  };
+};
+
+/// Module B: recording -> map.
+struct LidarStageOptions {
+  RecordingOptions recording = {};
+  OdometryOptions odometry = {};
+  GnssAlignmentOptions gnss = {};
+};
+template <>
+struct OptionFields<LidarStageOptions> {
+  using T = LidarStageOptions;
+  static constexpr auto fields = std::tuple{
+      Field{&T::recording, {.key = "recording", .doc = "Topics of the recording."}},
+      Field{&T::odometry, {.key = "odometry", .doc = "LiDAR-inertial odometry and map."}},
+      Field{&T::gnss, {.key = "gnss", .doc = "Placing the map by GNSS."}},
+  };
+};
+
+/// Merging the registered clouds.
+struct FusionStageOptions {
+  bool rescale_vision = true;
+  FuseOptions clouds = {};
+};
+template <>
+struct OptionFields<FusionStageOptions> {
+  using T = FusionStageOptions;
+  static constexpr auto fields = std::tuple{
+      Field{&T::rescale_vision,
+            {.key = "rescale_vision",
+             .doc = "Correct the scale of the vision cloud to that of the LiDAR cloud in the fused "
+                    "cloud when the registration supports it; vision/dense.ply stays as it is.",
+             .source = "ours"}},
+      Field{&T::clouds, {.key = "clouds", .doc = "How doubles are dropped."}},
+  };
+};
+
+/// Every option of every stage; one group a stage and one for the fusion.
+struct PipelineOptions {
+  VisionStageOptions vision = {};
+  LidarStageOptions lidar = {};
+  RegistrationOptions registration = {};
+  FusionStageOptions fusion = {};
+  EvaluationOptions evaluation = {};
+};
+
+template <>
+struct OptionFields<PipelineOptions> {
+  using T = PipelineOptions;
+  static constexpr auto fields = std::tuple{
+      Field{&T::vision, {.key = "vision", .doc = "Photos -> dense cloud."}},
+      Field{&T::lidar, {.key = "lidar", .doc = "Recording -> map."}},
+      Field{&T::registration, {.key = "registration", .doc = "Vision cloud and map -> pose."}},
+      Field{&T::fusion, {.key = "fusion", .doc = "Registered clouds -> fused cloud."}},
+      Field{&T::evaluation, {.key = "evaluation", .doc = "Metrics."}},
+  };
+};
+
+}  // namespace hybridfusion

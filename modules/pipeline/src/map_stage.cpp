@@ -1,0 +1,278 @@
+#include "json_text.hpp"
+#include "stage_runner.hpp"
+#include "workspace_data.hpp"
+
+#include <hybridfusion/io/atomic_file.hpp>
+#include <hybridfusion/io/ply.hpp>
+#include <hybridfusion/io/scan_source.hpp>
+#include <hybridfusion/io/sensors_yaml.hpp>
+#include <hybridfusion/io/tum.hpp>
+#include <hybridfusion/lidar/gnss_alignment.hpp>
+#include <hybridfusion/lidar/mapper.hpp>
+#include <hybridfusion/pipeline/pipeline_options.hpp>
+#include <hybridfusion/pipeline/stages.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <system_error>
+
+#include <fmt/format.h>
+
+namespace hybridfusion {
+namespace {
+
+/// An option that is set wins over sensors.yaml, which wins over detection.
+RecordingOptions recording_options(const RecordingOptions& options, const SensorConfig& sensors) {
+  RecordingOptions result = options;
+  const auto fill = [](std::string& option, const std::optional<std::string>& value) {
+    if (option.empty() && value) option = *value;
+  };
+  fill(result.lidar_topic, sensors.lidar_topic);
+  fill(result.imu_topic, sensors.imu_topic);
+  fill(result.gnss_topic, sensors.gnss_topic);
+  fill(result.point_time_field, sensors.point_time_field);
+  fill(result.point_time_unit, sensors.point_time_unit);
+  return result;
+}
+
+LidarRig rig_of(const SensorConfig& sensors) {
+  LidarRig rig;
+  rig.imu_from_lidar = sensors.imu_from_lidar.value_or(rig.imu_from_lidar);
+  rig.gnss_antenna_in_imu = sensors.gnss_antenna_in_imu.value_or(rig.gnss_antenna_in_imu);
+  ImuNoise& noise = rig.imu_noise;
+  noise.gyro_noise_density = sensors.gyro_noise_density.value_or(noise.gyro_noise_density);
+  noise.accel_noise_density = sensors.accel_noise_density.value_or(noise.accel_noise_density);
+  noise.gyro_bias_walk = sensors.gyro_bias_walk.value_or(noise.gyro_bias_walk);
+  noise.accel_bias_walk = sensors.accel_bias_walk.value_or(noise.accel_bias_walk);
+  return rig;
+}
+
+std::int64_t expected_scans(const RecordingSummary& summary) {
+  for (const RecordingTopic& topic : summary.topics) {
+    if (topic.name == summary.lidar_topic)
+      return static_cast<std::int64_t>(topic.messages.value_or(0));
+  }
+  return 0;
+}
+
+Expected<MappingResult> map_recording(ScanSource& source,
+                                      const OdometryOptions& options,
+                                      const LidarRig& rig,
+                                      const RunContext& ctx) {
+  HF_TRY(LidarMapper mapper, LidarMapper::create(options, rig));
+  const std::int64_t total = expected_scans(source.summary());
+  std::int64_t scans = 0;
+  while (true) {
+    if (ctx.stopped()) return fail(ErrorCode::kCancelled, "stopped while reading the recording");
+    HF_TRY(std::optional<SensorMessage> message, source.next());
+    if (!message) break;
+    if (std::holds_alternative<LidarScan>(*message)) {
+      ctx.report({.stage = "map/odometry", .done = ++scans, .total = total});
+    }
+    mapper.add(*std::move(message));
+  }
+  return mapper.finish(ctx);
+}
+
+Expected<void> write_map_files(const Workspace& workspace, const MappingResult& mapping) {
+  auto written = write_tum(workspace.path(workspace_file::kTrajectory), mapping.trajectory);
+  if (written) written = write_ply(workspace.path(workspace_file::kMap), mapping.map);
+  if (!written) return written;
+  std::string csv = quality_csv_header() + "\n";
+  for (const ScanQuality& quality : mapping.quality) csv += quality_csv_row(quality) + "\n";
+  return write_file_atomically(workspace.path(workspace_file::kQuality), csv);
+}
+
+double path_length_m(const Trajectory& trajectory) {
+  double length_m = 0.0;
+  for (std::size_t i = 1; i < trajectory.poses.size(); ++i) {
+    length_m += (trajectory.poses[i].map_from_body.translation -
+                 trajectory.poses[i - 1].map_from_body.translation)
+                    .norm();
+  }
+  return length_m;
+}
+
+StageResult describe(const MappingResult& mapping,
+                     const RecordingSummary& recording,
+                     const Json& gnss) {
+  const auto flagged = std::ranges::count_if(
+      mapping.quality, [](const ScanQuality& quality) { return quality.flags != 0; });
+  double residual_m = 0.0;
+  for (const ScanQuality& quality : mapping.quality) residual_m += quality.mean_residual_m;
+  residual_m /= std::max<double>(1.0, static_cast<double>(mapping.quality.size()));
+  const Json json = {{"recording_format", recording.format},
+                     {"recording_truncated", recording.truncated},
+                     {"lidar_topic", recording.lidar_topic},
+                     {"imu_topic", recording.imu_topic},
+                     {"gnss_topic", recording.gnss_topic},
+                     {"point_time", recording.point_time},
+                     {"num_scans", mapping.trajectory.poses.size()},
+                     {"num_flagged_scans", flagged},
+                     {"num_unmatched_scans", mapping.odometry.num_unmatched_scans},
+                     {"num_degenerate_scans", mapping.odometry.num_degenerate_scans},
+                     {"num_imu_gaps", mapping.odometry.num_imu_gaps},
+                     {"num_lidar_gaps", mapping.odometry.num_lidar_gaps},
+                     {"num_damaged_messages", recording.num_damaged_messages},
+                     {"path_m", path_length_m(mapping.trajectory)},
+                     {"mean_residual_m", residual_m},
+                     {"num_map_points", mapping.map.size()},
+                     {"refine_iterations", mapping.refine_iterations},
+                     {"refine_rms_before_m", mapping.refine_rms_before_m},
+                     {"refine_rms_after_m", mapping.refine_rms_after_m},
+                     {"gnss", gnss},
+                     {"warnings", mapping.warnings}};
+  StageResult result{.json = to_text(json)};
+  result.summary = {fmt::format("{} scans located over {:.0f} m, {} flagged, residual {:.3f} m",
+                                mapping.trajectory.poses.size(),
+                                path_length_m(mapping.trajectory),
+                                flagged,
+                                residual_m),
+                    fmt::format("{} map points", mapping.map.size())};
+  if (recording.truncated) {
+    result.summary.push_back("the recording is cut off; what precedes the cut was used");
+  }
+  result.summary.push_back(
+      gnss.contains("enu_from_map")
+          ? fmt::format("GNSS residuals {:.2f} m horizontal, {:.2f} m vertical (rms), heading to "
+                        "{:.2f} deg",
+                        gnss["horizontal_rms_m"].get<double>(),
+                        gnss["vertical_rms_m"].get<double>(),
+                        gnss["heading_sigma_deg"].get<double>())
+          : "no georeference: " + gnss.value("reason", "no GNSS"));
+  return result;
+}
+
+/// The plane in which the drive is placed: that of the photos when they have one, so that both
+/// clouds share it; else the plane at the first usable fix.
+Expected<GeodeticOrigin> enu_origin(const Workspace& workspace, const std::vector<GnssFix>& fixes) {
+  if (workspace.has(workspace_file::kOrigin)) {
+    return read_origin(workspace.path(workspace_file::kOrigin));
+  }
+  for (const GnssFix& fix : fixes) {
+    const GeodeticPosition& position = fix.position;
+    if (std::isfinite(position.latitude_deg + position.longitude_deg + position.altitude_m)) {
+      return position;
+    }
+  }
+  return fail(ErrorCode::kInsufficient, "the recording holds no GNSS fix");
+}
+
+Json gnss_json(const GnssAlignment& alignment, const GeodeticOrigin& origin) {
+  Json covariance = Json::array();
+  for (Eigen::Index r = 0; r < 4; ++r) {
+    for (Eigen::Index c = 0; c < 4; ++c) covariance.push_back(alignment.covariance(r, c));
+  }
+  Json residuals = Json::array();
+  for (const GnssResidual& residual : alignment.residuals) {
+    residuals.push_back({{"time", to_seconds(residual.time)},
+                         {"enu_m", {residual.enu_m.x(), residual.enu_m.y(), residual.enu_m.z()}},
+                         {"used", residual.used}});
+  }
+  constexpr double kDegPerRad = 180.0 / std::numbers::pi;
+  return {{"enu_from_map", matrix_json(alignment.enu_from_map)},
+          {"origin",
+           {{"latitude_deg", origin.latitude_deg},
+            {"longitude_deg", origin.longitude_deg},
+            {"altitude_m", origin.altitude_m},
+            {"datum", "WGS84"}}},
+          {"covariance", covariance},
+          {"covariance_order", {"east_m", "north_m", "up_m", "yaw_rad"}},
+          {"heading_sigma_deg", kDegPerRad * std::sqrt(alignment.covariance(3, 3))},
+          {"horizontal_rms_m", alignment.rms_horizontal_m},
+          {"vertical_rms_m", alignment.rms_vertical_m},
+          {"num_used", alignment.num_used},
+          {"num_outliers", alignment.num_outliers},
+          {"track_extent_m", alignment.track_extent_m},
+          {"residuals", residuals}};
+}
+
+/// gnss.json, or {"reason"} and no file when GNSS does not place the map.
+Expected<Json> place_by_gnss(const Workspace& workspace,
+                             const MappingResult& mapping,
+                             const Eigen::Vector3d& antenna_in_imu,
+                             const GnssAlignmentOptions& options,
+                             const RunContext& ctx) {
+  const auto origin = enu_origin(workspace, mapping.gnss_fixes);
+  if (!origin && origin.error().code != ErrorCode::kInsufficient) {
+    return std::unexpected(origin.error());
+  }
+  const auto alignment =
+      origin ? align_gnss(mapping.trajectory, mapping.gnss_fixes, *origin, antenna_in_imu, options)
+             : Expected<GnssAlignment>(std::unexpected(origin.error()));
+  if (!alignment) {
+    ctx.warn("the map is not georeferenced: " + alignment.error().message);
+    return Json{{"reason", alignment.error().message}};
+  }
+  Json json = gnss_json(*alignment, *origin);
+  if (auto written = write_file_atomically(workspace.path(workspace_file::kGnss), to_text(json));
+      !written) {
+    return std::unexpected(written.error());
+  }
+  json.erase("residuals");
+  return json;
+}
+
+struct MapInputs {
+  std::filesystem::path bag = {};
+  RecordingOptions recording = {};
+  LidarRig rig = {};
+};
+
+Expected<StageResult> map_into(Project& project, const MapInputs& inputs, const RunContext& ctx) {
+  const Workspace& workspace = project.workspace;
+  const LidarStageOptions& options = project.options.lidar;
+  HF_TRY(const std::unique_ptr<ScanSource> source, open_recording(inputs.bag, inputs.recording));
+  HF_TRY(const MappingResult mapping, map_recording(*source, options.odometry, inputs.rig, ctx));
+  const RecordingSummary recording = source->summary();
+  for (const std::string& warning : recording.warnings) {
+    ctx.warn(fmt::format("{}: {}", inputs.bag.string(), warning));
+  }
+  for (const std::string& warning : mapping.warnings) ctx.warn(warning);
+  if (recording.truncated) {
+    ctx.warn(fmt::format("{}: the recording is cut off; what precedes the cut is used",
+                         inputs.bag.string()));
+  }
+  if (auto made = workspace.make_folder("lidar"); !made) return std::unexpected(made.error());
+  HF_TRY(const Json gnss,
+         place_by_gnss(workspace, mapping, inputs.rig.gnss_antenna_in_imu, options.gnss, ctx));
+  if (auto written = write_map_files(workspace, mapping); !written) {
+    return std::unexpected(written.error());
+  }
+  return describe(mapping, recording, gnss);
+}
+
+}  // namespace
+
+Expected<StageOutcome> map_stage(Project& project,
+                                 const std::filesystem::path& bag,
+                                 const std::optional<std::filesystem::path>& sensors,
+                                 const RunContext& ctx) {
+  std::optional<std::filesystem::path> sensors_path = sensors;
+  std::error_code code;
+  const std::filesystem::path beside = bag.parent_path() / "sensors.yaml";
+  if (!sensors && std::filesystem::is_regular_file(beside, code)) sensors_path = beside;
+  SensorConfig config;
+  if (sensors_path) {
+    HF_TRY(config, read_sensors_yaml(*sensors_path));
+  }
+  StagePlan plan{.stage = "map",
+                 .option_groups = {"lidar"},
+                 .inputs = {bag},
+                 .outputs = {workspace_file::kTrajectory,
+                             workspace_file::kMap,
+                             workspace_file::kQuality,
+                             workspace_file::kGnss}};
+  if (sensors_path) plan.inputs.push_back(*sensors_path);
+  if (project.workspace.has(workspace_file::kOrigin)) {
+    plan.inputs.push_back(project.workspace.path(workspace_file::kOrigin));
+  }
+  const MapInputs inputs{.bag = bag,
+                         .recording = recording_options(project.options.lidar.recording, config),
+                         .rig = rig_of(config)};
+  return run_stage(project, plan, ctx, [&] { return map_into(project, inputs, ctx); });
+}
+
+}  // namespace hybridfusion

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <hybridfusion/core/error.hpp>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace hybridfusion {
+
+/// One photo of vision/positions.csv; coordinates in the local ENU frame [m].
+struct PositionRow {
+  std::string name = {};
+  std::optional<Eigen::Vector3d> position = {};  ///< Empty: not registered.
+  std::optional<Eigen::Vector3d> gnss = {};
+  std::string reason = {};
+};
+
+/// Columns: name,registered,x,y,z,gnss_x,gnss_y,gnss_z,residual_h,residual_v,reason. A comma, a
+/// quote or a line break in a text is quoted as in RFC 4180.
+[[nodiscard]] Expected<void> write_positions_csv(const std::filesystem::path& path,
+                                                 const std::vector<PositionRow>& rows);
+[[nodiscard]] Expected<std::vector<PositionRow>> read_positions_csv(
+    const std::filesystem::path& path);
+
+}  // namespace hybridfusion

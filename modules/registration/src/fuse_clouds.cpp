@@ -1,0 +1,115 @@
+#include <hybridfusion/core/parallel.hpp>
+#include <hybridfusion/geometry/kd_tree.hpp>
+#include <hybridfusion/geometry/normals.hpp>
+#include <hybridfusion/registration/fuse_clouds.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Eigenvalues>
+
+namespace hybridfusion {
+namespace {
+
+double sigma_of(const PointCloud& cloud, std::size_t i, double fallback_m) {
+  return cloud.sigmas_m.empty() ? fallback_m : static_cast<double>(cloud.sigmas_m[i]);
+}
+
+/// Distance of `point` to the plane of `members`, or to their nearest when they are no plane.
+double surface_distance(const Eigen::Vector3f& point,
+                        const PointCloud& other,
+                        const std::vector<Neighbor>& members) {
+  Eigen::Vector3d mean;
+  const Eigen::Matrix3d covariance = covariance_of(other.points, members, mean);
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+  solver.computeDirect(covariance);
+  const bool is_plane = solver.eigenvalues()[0] < 0.06 * solver.eigenvalues().sum() &&
+                        solver.eigenvalues()[1] > 0.1 * solver.eigenvalues()[2];
+  if (!is_plane) return std::sqrt(static_cast<double>(members.front().squared_distance_m2));
+  return std::abs(solver.eigenvectors().col(0).dot(point.cast<double>() - mean));
+}
+
+/// Indices of the points of `cloud` whose surface `other` does not show better.
+std::vector<std::size_t> kept_points(const PointCloud& cloud,
+                                     double cloud_sigma_m,
+                                     const PointCloud& other,
+                                     double other_sigma_m,
+                                     const FuseOptions& options,
+                                     const RunContext& ctx) {
+  const KdTree tree(other.points);
+  const auto wanted = static_cast<std::size_t>(options.min_neighbors);
+  const auto limit = static_cast<float>(options.search_m * options.search_m);
+  std::vector<char> is_kept(cloud.size(), 1);
+  parallel_for(ctx, cloud.size(), 2048, [&](std::size_t begin, std::size_t end) {
+    std::vector<Neighbor> members;
+    for (std::size_t i = begin; i < end && !ctx.stopped(); ++i) {
+      tree.nearest(cloud.points[i], 2 * wanted, members);
+      while (!members.empty() && members.back().squared_distance_m2 > limit) members.pop_back();
+      if (members.size() < wanted) continue;
+      const double mine = sigma_of(cloud, i, cloud_sigma_m);
+      const double theirs = sigma_of(other, members.front().index, other_sigma_m);
+      // Equal sigmas: the LiDAR's, which is `other` when its fallback is the smaller one.
+      if (theirs > mine || (theirs == mine && other_sigma_m >= cloud_sigma_m)) continue;
+      const double same_m =
+          std::max(options.min_distance_m, options.sigma_factor * std::hypot(mine, theirs));
+      if (surface_distance(cloud.points[i], other, members) < same_m) is_kept[i] = 0;
+    }
+  });
+  std::vector<std::size_t> kept;
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    if (is_kept[i] != 0) kept.push_back(i);
+  }
+  return kept;
+}
+
+/// Channels that only one sensor has get a neutral value in the other's points, so that they
+/// survive the merge.
+void harmonise(PointCloud& vision, PointCloud& lidar, const FuseOptions& options) {
+  constexpr Rgb8 kGrey{128, 128, 128};
+  if (!vision.colors.empty() && lidar.colors.empty()) lidar.colors.assign(lidar.size(), kGrey);
+  if (!lidar.intensities.empty() && vision.intensities.empty()) {
+    vision.intensities.assign(vision.size(), 0.0F);
+  }
+  if (vision.sigmas_m.empty()) {
+    vision.sigmas_m.assign(vision.size(), static_cast<float>(options.default_vision_sigma_m));
+  }
+  if (lidar.sigmas_m.empty()) {
+    lidar.sigmas_m.assign(lidar.size(), static_cast<float>(options.default_lidar_sigma_m));
+  }
+  vision.sources.assign(vision.size(), PointSource::kVision);
+  lidar.sources.assign(lidar.size(), PointSource::kLidar);
+}
+
+}  // namespace
+
+Expected<FuseResult> fuse_clouds(const PointCloud& vision,
+                                 const PointCloud& lidar,
+                                 const Rigid3& vision_from_lidar,
+                                 const std::optional<Sim3>& vision_rescale,
+                                 const FuseOptions& options,
+                                 const RunContext& ctx) {
+  for (const auto& valid : {validate(options, "fuse"), validate(vision), validate(lidar)}) {
+    if (!valid) return std::unexpected(valid.error());
+  }
+  PointCloud a = vision_rescale ? transformed(*vision_rescale, vision) : vision;
+  PointCloud b = transformed(vision_from_lidar, lidar);
+  remove_non_finite(a);
+  remove_non_finite(b);
+  FuseResult result;
+  if (options.drop_duplicates && !a.empty() && !b.empty()) {
+    const double sigma_a = options.default_vision_sigma_m;
+    const double sigma_b = options.default_lidar_sigma_m;
+    const std::vector<std::size_t> kept_a = kept_points(a, sigma_a, b, sigma_b, options, ctx);
+    const std::vector<std::size_t> kept_b = kept_points(b, sigma_b, a, sigma_a, options, ctx);
+    if (ctx.stopped()) return fail(ErrorCode::kCancelled, "stopped while merging the clouds");
+    result.vision_dropped = a.size() - kept_a.size();
+    result.lidar_dropped = b.size() - kept_b.size();
+    a = select(a, kept_a);
+    b = select(b, kept_b);
+  }
+  harmonise(a, b, options);
+  result.cloud = concatenate(std::move(a), b);
+  return result;
+}
+
+}  // namespace hybridfusion

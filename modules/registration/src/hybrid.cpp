@@ -1,0 +1,146 @@
+#include "hybrid.hpp"
+
+#include "fine_alignment.hpp"
+#include "verdict.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Cholesky>
+#include <fmt/format.h>
+
+namespace hybridfusion {
+namespace {
+
+/// What the outlines alone are worth (measured: 0.1-0.3 m and 0.3 deg on scenes of 90 m).
+PoseCovariance outline_covariance() {
+  Eigen::Matrix<double, 6, 1> sigma;
+  sigma << 0.3, 0.3, 0.05, 0.003, 0.003, 0.01;
+  return sigma.array().square().matrix().asDiagonal();
+}
+
+/// Squared Mahalanobis distance of a place from the coarse pose in x, y and heading.
+double prior_distance(const Rigid3& vision_from_lidar,
+                      const Rigid3& initial,
+                      const PoseCovariance& covariance) {
+  const Rigid3 error = initial.inverse() * vision_from_lidar;
+  const Eigen::AngleAxisd turn(error.rotation);
+  const Eigen::Vector3d gap(
+      error.translation.x(), error.translation.y(), turn.angle() * turn.axis().z());
+  Eigen::Matrix3d marginal;
+  const std::array<Eigen::Index, 3> kept{0, 1, 5};
+  for (Eigen::Index r = 0; r < 3; ++r) {
+    for (Eigen::Index c = 0; c < 3; ++c) {
+      marginal(r, c) =
+          covariance(kept[static_cast<std::size_t>(r)], kept[static_cast<std::size_t>(c)]);
+    }
+  }
+  return gap.dot(marginal.ldlt().solve(gap));
+}
+
+/// Where places score alike, those that the coarse pose excludes (beyond 5 sigma) step back.
+/// @returns true when that changed the order.
+bool prefer_by_prior(std::vector<OutlinePlace>& places,
+                     const PreparedClouds& clouds,
+                     const RegistrationInput& input,
+                     double max_peak_ratio) {
+  if (!input.vision_from_lidar_initial || !input.initial_covariance) return false;
+  const auto is_excluded = [&](const OutlinePlace& place) {
+    const double squared = prior_distance(from_leveled(place.vision_from_leveled, clouds),
+                                          *input.vision_from_lidar_initial,
+                                          *input.initial_covariance);
+    return squared > 25.0;
+  };
+  const auto first = std::ranges::find_if_not(places, is_excluded);
+  if (first == places.end() || first->score < max_peak_ratio * places.front().score) return false;
+  const std::size_t before = places.size();
+  std::erase_if(places, is_excluded);
+  return places.size() < before;
+}
+
+/// The fine pose must stay at the place that the outlines found.
+bool agrees(const Rigid3& fine, const Rigid3& outline, const Eigen::Vector3d& centroid) {
+  const Eigen::Vector3d moved = fine * centroid - outline * centroid;
+  return moved.head<2>().norm() < 1.0 && std::abs(moved.z()) < 0.5 &&
+         rotation_distance_rad(fine.rotation, outline.rotation) < 2.0 * std::numbers::pi / 180.0;
+}
+
+void take_fine(const FineResult& fine, const PreparedClouds& clouds, RegistrationResult& result) {
+  result.vision_from_lidar = from_leveled(fine.vision_from_lidar, clouds);
+  PoseCovariance covariance = fine.covariance;
+  if (!fine.horizontal_updated) {
+    for (const Eigen::Index k : {0, 1, 5}) covariance.row(k).setZero(), covariance.col(k).setZero();
+    covariance += outline_covariance();
+  }
+  result.covariance = from_leveled(covariance, clouds);
+  if (fine.scale_supported) {
+    const Sim3 leveled{.rotation = clouds.leveled_from_lidar};
+    result.lidar_from_vision_similarity = (fine.similarity * leveled).inverse();
+    result.vision_scale = result.lidar_from_vision_similarity.scale;
+    result.vision_scale_supported = true;
+  }
+  result.vision_scale_sigma = fine.scale_sigma;
+}
+
+Sim3 as_similarity(const Rigid3& pose) {
+  return {.rotation = pose.rotation, .translation = pose.translation, .scale = 1.0};
+}
+
+}  // namespace
+
+Expected<RegistrationResult> register_hybrid(const PreparedClouds& clouds,
+                                             const RegistrationInput& input,
+                                             const RegistrationOptions& options,
+                                             const RunContext& ctx) {
+  ctx.report({.stage = "registration/outlines", .done = 0, .total = 3});
+  HF_TRY(std::vector<OutlinePlace> places, find_places(clouds, input, options, ctx));
+  Evidence evidence;
+  evidence.used_prior = prefer_by_prior(places, clouds, input, options.verdict.max_peak_ratio);
+  const OutlinePlace& best = places.front();
+  evidence.best = best.evidence;
+  evidence.best_score = best.score;
+  evidence.second_score = places.size() > 1 ? places[1].score : 0.0;
+  if (places.size() > 1) {
+    evidence.second_offset = (places[1].planar.position - best.planar.position);
+  }
+  evidence.ground_inliers = best.ground_inliers;
+  evidence.linear_share = clouds.lidar_maps.linear_share;
+  evidence.ridge = test_ridge(clouds, best, options.outline);
+
+  RegistrationResult result;
+  for (const OutlinePlace& place : places) {
+    result.candidates.push_back({from_leveled(place.vision_from_leveled, clouds), place.score});
+  }
+  result.vision_from_lidar = from_leveled(best.vision_from_leveled, clouds);
+  result.covariance = from_leveled(outline_covariance(), clouds);
+  result.lidar_from_vision_similarity = as_similarity(result.vision_from_lidar).inverse();
+  ctx.report({.stage = "registration/fine", .done = 1, .total = 3});
+  const auto fine = align_fine(clouds.vision,
+                               clouds.lidar,
+                               best.vision_from_leveled,
+                               clouds.lidar_centroid,
+                               options.fine,
+                               ctx);
+  if (!fine && fine.error().code == ErrorCode::kCancelled) return std::unexpected(fine.error());
+  evidence.has_fine = fine.has_value();
+  if (fine) {
+    evidence.fine = *fine;
+    evidence.fine_agrees =
+        agrees(fine->vision_from_lidar, best.vision_from_leveled, clouds.lidar_centroid);
+    if (evidence.fine_agrees) {
+      take_fine(*fine, clouds, result);
+      evidence.best = judge_pose(
+          clouds.maps, clouds.lidar_maps, fine->vision_from_lidar, best.planar.overhang_m);
+      if (!fine->scale_supported) {
+        result.lidar_from_vision_similarity = as_similarity(result.vision_from_lidar).inverse();
+      }
+    }
+  }
+  ctx.report({.stage = "registration/verdict", .done = 2, .total = 3});
+  pronounce(evidence, options.verdict, result);
+  ctx.report({.stage = "registration/verdict", .done = 3, .total = 3});
+  return result;
+}
+
+}  // namespace hybridfusion

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "prepared_clouds.hpp"
+
+namespace hybridfusion {
+
+/// A place of the outline search, leveled and refined.
+struct OutlinePlace {
+  PlanarPose planar = {};
+  Rigid3 vision_from_leveled = {};
+  double score = 0.0;
+  PoseEvidence evidence = {};
+  std::size_t ground_inliers = 0;  ///< Of the ground alignment; 0 when it failed.
+};
+
+/// Outline search, refinement of each peak, ground alignment and a second refinement with roll and
+/// pitch known. Descending score.
+/// @returns kDegenerate when there is no facade or no peak (a reason to refuse), kCancelled.
+[[nodiscard]] Expected<std::vector<OutlinePlace>> find_places(const PreparedClouds& clouds,
+                                                              const RegistrationInput& input,
+                                                              const RegistrationOptions& options,
+                                                              const RunContext& ctx);
+
+/// Largest score 3 m beside the best place over its own: 1 on a ridge, where one direction is free.
+struct RidgeTest {
+  double ratio = 0.0;
+  double bearing_rad = 0.0;  ///< Of that direction, from x towards y.
+};
+[[nodiscard]] RidgeTest test_ridge(const PreparedClouds& clouds,
+                                   const OutlinePlace& place,
+                                   const OutlineOptions& options);
+
+[[nodiscard]] Expected<RegistrationResult> register_hybrid(const PreparedClouds& clouds,
+                                                           const RegistrationInput& input,
+                                                           const RegistrationOptions& options,
+                                                           const RunContext& ctx);
+
+}  // namespace hybridfusion

@@ -1,0 +1,116 @@
+#include "hybrid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+
+namespace hybridfusion {
+namespace {
+
+constexpr std::size_t kMinGroundCells = 50;
+
+/// The planar pose of `pattern` under `pose`, keeping `overhang_m`.
+PlanarPose planar_of(const Rigid3& pose, const PlanarPattern& pattern, double overhang_m) {
+  PlanarPose planar{.yaw_rad = split_heading(pose.rotation).yaw_rad, .overhang_m = overhang_m};
+  const Eigen::Vector3d centre(pattern.centre.x(), pattern.centre.y(), 0.0);
+  const Eigen::AngleAxisd heading(planar.yaw_rad, Eigen::Vector3d::UnitZ());
+  planar.position = (pose.translation + heading * centre).head<2>();
+  return planar;
+}
+
+/// Ground alignment and one more refinement with the tilt that it found.
+void level_place(OutlinePlace& place,
+                 const PreparedClouds& clouds,
+                 const RegistrationOptions& options) {
+  for (int round = 0; round < 2; ++round) {
+    const auto ground =
+        align_ground(clouds.maps, clouds.lidar_maps, place.vision_from_leveled, kMinGroundCells);
+    if (!ground) return;
+    place.vision_from_leveled = ground->vision_from_lidar;
+    place.ground_inliers = ground->num_inliers;
+    if (round == 1) break;
+    const Eigen::Matrix3d tilt = split_heading(place.vision_from_leveled.rotation).tilt;
+    const PlanarPattern pattern = make_pattern(clouds.lidar_maps, tilt);
+    const PlanarPose start = planar_of(place.vision_from_leveled, pattern, place.planar.overhang_m);
+    place.planar = refine_pose(clouds.maps, pattern, start, 0.5, options.outline);
+    place.vision_from_leveled =
+        lift(place.planar, pattern, tilt, place.vision_from_leveled.translation.z());
+  }
+}
+
+}  // namespace
+
+Expected<std::vector<OutlinePlace>> find_places(const PreparedClouds& clouds,
+                                                const RegistrationInput& input,
+                                                const RegistrationOptions& options,
+                                                const RunContext& ctx) {
+  const PlanarPattern pattern = make_pattern(clouds.lidar_maps, Eigen::Matrix3d::Identity());
+  if (pattern.facades.empty()) {
+    return fail(ErrorCode::kDegenerate,
+                "the LiDAR cloud shows no facades (an open field?): nothing fixes the position");
+  }
+  const PlanarPose coarse = planar_of(clouds.vision_from_leveled_initial, pattern, 0.0);
+  SearchWindow window{.yaw_rad = coarse.yaw_rad, .max_yaw_rad = options.max_yaw_rad};
+  if (input.vision_from_lidar_initial) {
+    window.position = coarse.position;
+    window.max_offset_m = options.max_offset_m;
+  }
+  HF_TRY(const std::vector<PlanarPose> peaks,
+         search_outlines(clouds.search_maps, pattern, window, options.outline, ctx));
+  if (peaks.empty()) {
+    return fail(ErrorCode::kDegenerate,
+                "no position inside the search window brings a facade onto a roof rim; the clouds "
+                "do not overlap there");
+  }
+  std::vector<OutlinePlace> places;
+  for (PlanarPose peak : peaks) {
+    peak.overhang_m = 0.25;
+    OutlinePlace place;
+    place.planar =
+        refine_pose(clouds.maps, pattern, peak, options.outline.search_cell_m, options.outline);
+    const double height_m =
+        clouds.vision_ground.height_at(place.planar.position.x(), place.planar.position.y()) -
+        clouds.lidar_ground.height_at(pattern.centre.x(), pattern.centre.y());
+    place.vision_from_leveled = lift(place.planar, pattern, Eigen::Matrix3d::Identity(), height_m);
+    level_place(place, clouds, options);
+    place.score = place.planar.score;
+    place.evidence = judge_pose(
+        clouds.maps, clouds.lidar_maps, place.vision_from_leveled, place.planar.overhang_m);
+    places.push_back(place);
+  }
+  std::ranges::stable_sort(places, std::ranges::greater{}, &OutlinePlace::score);
+  // Peaks that were apart may climb to the same place: keep its best.
+  std::vector<OutlinePlace> distinct;
+  for (const OutlinePlace& place : places) {
+    const bool is_new = std::ranges::none_of(distinct, [&](const OutlinePlace& other) {
+      return same_peak(place.planar, other.planar, options.outline);
+    });
+    if (is_new) distinct.push_back(place);
+  }
+  return distinct;
+}
+
+RidgeTest test_ridge(const PreparedClouds& clouds,
+                     const OutlinePlace& place,
+                     const OutlineOptions& options) {
+  constexpr double kStep_m = 3.0;
+  constexpr int kDirections = 16;
+  const PlanarPattern pattern =
+      make_pattern(clouds.lidar_maps, split_heading(place.vision_from_leveled.rotation).tilt);
+  RidgeTest test;
+  for (int k = 0; k < kDirections; ++k) {
+    const double bearing = 2.0 * std::numbers::pi * k / kDirections;
+    PlanarPose beside = place.planar;
+    beside.position += kStep_m * Eigen::Vector2d(std::cos(bearing), std::sin(bearing));
+    const double score = score_of(clouds.maps, pattern, beside, options.free_penalty);
+    if (place.score > 0.0 && score / place.score > test.ratio) {
+      test = {.ratio = score / place.score, .bearing_rad = bearing};
+    }
+  }
+  return test;
+}
+
+}  // namespace hybridfusion

@@ -1,0 +1,146 @@
+#include "verdict.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace hybridfusion {
+namespace {
+
+/// 0 at `bad`, 1 at `good`, linear between; either may be the larger one.
+double ramp(double value, double bad, double good) {
+  return std::clamp((value - bad) / (good - bad), 0.0, 1.0);
+}
+
+double peak_ratio(const Evidence& e) {
+  return e.best_score > 0.0 ? std::max(0.0, e.second_score) / e.best_score : 1.0;
+}
+
+/// One piece of evidence: how much of the confidence it leaves, and what to say when it fails.
+struct Factor {
+  double value = 1.0;
+  std::string complaint = {};
+};
+
+/// Limits come from the options; the comfortable values beside them are those that every right pose
+/// of the calibration scenes reached (synthetic blocks and crops of 12 to 60 m radius).
+std::vector<Factor> weigh(const Evidence& e, const VerdictOptions& o) {
+  constexpr double kDeg = 57.29577951308232;
+  const double ratio = peak_ratio(e);
+  return {
+      {ramp(e.best.facade_weight_on_edges, o.min_facade_weight, 2.4 * o.min_facade_weight),
+       fmt::format("only {:.0f} facade columns meet a roof rim (limit {:.0f}): too little overlap, "
+                   "or no buildings",
+                   e.best.facade_weight_on_edges,
+                   o.min_facade_weight)},
+      {e.linear_share < o.min_linear_share ? 0.0 : 1.0,
+       fmt::format("{:.2f} of the LiDAR columns lie on straight walls (limit {:.2f}): trees alone "
+                   "do not fix a position",
+                   e.linear_share,
+                   o.min_linear_share)},
+      {ramp(ratio, o.max_peak_ratio, o.doubtful_peak_ratio),
+       fmt::format("ambiguous: a place {:.1f} m away (bearing {:.0f} deg from x) scores {:.2f} of "
+                   "the best (limit {:.2f}); give a better initial pose with its covariance or a "
+                   "larger LiDAR cloud",
+                   e.second_offset.norm(),
+                   kDeg * std::atan2(e.second_offset.y(), e.second_offset.x()),
+                   ratio,
+                   o.max_peak_ratio)},
+      {ramp(e.ridge.ratio, o.max_ridge_ratio, o.max_ridge_ratio - 0.1),
+       fmt::format("the position is free along {:.0f} deg from x: 3 m away the outlines still "
+                   "score {:.2f} (limit {:.2f})",
+                   kDeg * e.ridge.bearing_rad,
+                   e.ridge.ratio,
+                   o.max_ridge_ratio)},
+      {ramp(e.best.facade_share, o.min_facade_share, o.min_facade_share + 0.25),
+       fmt::format("only {:.2f} of the facades lie on roof rims (limit {:.2f})",
+                   e.best.facade_share,
+                   o.min_facade_share)},
+      {ramp(e.best.facade_on_ground, o.max_facade_on_ground, 0.3 * o.max_facade_on_ground),
+       fmt::format("{:.2f} of the facades stand on open ground of the vision cloud (limit {:.2f})",
+                   e.best.facade_on_ground,
+                   o.max_facade_on_ground)},
+      {e.ground_inliers == 0
+           ? 0.0
+           : ramp(e.best.ground_share, o.min_ground_share, 0.5 + 0.5 * o.min_ground_share),
+       fmt::format("only {:.2f} of the LiDAR ground lies within 0.2 m of the vision ground (limit "
+                   "{:.2f})",
+                   e.best.ground_share,
+                   o.min_ground_share)},
+      {ramp(e.best.free_violations, o.max_free_violations, 0.3 * o.max_free_violations),
+       fmt::format("{:.2f} of the LiDAR ground lies inside vision buildings (limit {:.2f})",
+                   e.best.free_violations,
+                   o.max_free_violations)},
+      {e.fine_agrees ? 1.0 : 0.6, "the surfaces lead away from the place that the outlines found"},
+  };
+}
+
+/// The complaint of the weakest factor when the product is too small; empty when it is not.
+std::string reason_to_refuse(const std::vector<Factor>& factors,
+                             double confidence,
+                             double sigma_m,
+                             const VerdictOptions& options) {
+  if (sigma_m > options.max_sigma_m) {
+    return fmt::format("the surfaces leave the position uncertain by {:.2f} m (limit {:.2f} m)",
+                       sigma_m,
+                       options.max_sigma_m);
+  }
+  if (confidence >= options.min_confidence) return {};
+  return fmt::format("the evidence leaves a confidence of {:.2f} (at least {:.2f} needed): {}",
+                     confidence,
+                     options.min_confidence,
+                     std::ranges::min_element(factors, {}, &Factor::value)->complaint);
+}
+
+}  // namespace
+
+void pronounce(const Evidence& e, const VerdictOptions& o, RegistrationResult& result) {
+  const double sigma_m = std::sqrt(result.covariance.topLeftCorner<3, 3>().trace());
+  const double ratio = peak_ratio(e);
+  result.scores = {
+      {"outline_score", e.best_score},
+      {"second_score", e.second_score},
+      {"peak_ratio", ratio},
+      {"ridge_ratio", e.ridge.ratio},
+      {"facade_weight_on_edges", e.best.facade_weight_on_edges},
+      {"facade_share_on_edges", e.best.facade_share},
+      {"facade_share_inside", e.best.facade_inside_share},
+      {"facade_share_on_ground", e.best.facade_on_ground},
+      {"facade_share_linear", e.linear_share},
+      {"ground_cells", static_cast<double>(e.best.num_ground)},
+      {"ground_inliers", static_cast<double>(e.ground_inliers)},
+      {"ground_share_within_0.2_m", e.best.ground_share},
+      {"free_space_violations", e.best.free_violations},
+      {"prior_decided", e.used_prior ? 1.0 : 0.0},
+      {"fine_agrees", e.fine_agrees ? 1.0 : 0.0},
+      {"fine_vertical_pairs", static_cast<double>(e.fine.num_vertical)},
+      {"fine_horizontal_pairs", static_cast<double>(e.fine.num_horizontal)},
+      {"fine_vertical_rms_m", e.fine.vertical_rms_m},
+      {"fine_horizontal_rms_m", e.fine.horizontal_rms_m},
+      {"fine_gate_m", e.fine.gate_m},
+      {"held_out_median_m", e.fine.held_out_median_m},
+      {"held_out_share", e.fine.held_out_share},
+      {"position_sigma_m", sigma_m},
+  };
+  const std::vector<Factor> factors = weigh(e, o);
+  double confidence = 1.0;
+  for (const Factor& factor : factors) confidence *= factor.value;
+  result.reason = reason_to_refuse(factors, confidence, sigma_m, o);
+  if (!result.reason.empty()) {
+    result.status = RegistrationStatus::kRefused;
+    result.confidence = 0.0;
+    return;
+  }
+  result.status = RegistrationStatus::kOk;
+  result.confidence = confidence;
+  if (!e.fine_agrees) {
+    result.reason = "the surfaces lead away from the outlines; the pose is that of the outlines";
+  } else if (!e.fine.horizontal_updated) {
+    result.reason = "few facades in the vision cloud: position and heading are from the outlines";
+  }
+}
+
+}  // namespace hybridfusion

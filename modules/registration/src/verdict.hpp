@@ -1,0 +1,26 @@
+#pragma once
+
+#include "fine_alignment.hpp"
+#include "hybrid.hpp"
+
+namespace hybridfusion {
+
+/// Everything measured about the best place.
+struct Evidence {
+  double best_score = 0.0;
+  double second_score = 0.0;
+  Eigen::Vector2d second_offset = Eigen::Vector2d::Zero();  ///< From the best place [m].
+  PoseEvidence best = {};                                   ///< At the final pose.
+  std::size_t ground_inliers = 0;
+  double linear_share = 0.0;
+  RidgeTest ridge = {};
+  bool used_prior = false;
+  bool has_fine = false;
+  bool fine_agrees = false;
+  FineResult fine = {};
+};
+
+/// Status, reason, confidence and scores of `result` from the evidence.
+void pronounce(const Evidence& evidence, const VerdictOptions& options, RegistrationResult& result);
+
+}  // namespace hybridfusion

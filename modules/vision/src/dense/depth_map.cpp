@@ -1,0 +1,78 @@
+#include "depth_map.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace hybridfusion {
+
+std::optional<double> depth_at(const DepthMap& map, const Eigen::Vector2d& pixel) {
+  // Neighbouring depths of one surface seldom differ by more.
+  constexpr float kSameSurface = 0.01F;
+  const int x = static_cast<int>(std::floor(pixel.x()));
+  const int y = static_cast<int>(std::floor(pixel.y()));
+  if (map.has_depth(x, y) && map.has_depth(x + 1, y) && map.has_depth(x, y + 1) &&
+      map.has_depth(x + 1, y + 1)) {
+    const auto z = [&](int u, int v) { return map.depth_m.at(x + u, y + v); };
+    const auto [low, high] = std::minmax({z(0, 0), z(1, 0), z(0, 1), z(1, 1)});
+    if (high - low < kSameSurface * high) {
+      const double u = pixel.x() - x;
+      const double v = pixel.y() - y;
+      return (1 - v) * ((1 - u) * z(0, 0) + u * z(1, 0)) + v * ((1 - u) * z(0, 1) + u * z(1, 1));
+    }
+  }
+  const int nearest_x = static_cast<int>(std::lround(pixel.x()));
+  const int nearest_y = static_cast<int>(std::lround(pixel.y()));
+  if (!map.has_depth(nearest_x, nearest_y)) return std::nullopt;
+  return map.depth_m.at(nearest_x, nearest_y);
+}
+
+DepthGuess merge_guesses(const std::vector<DepthGuess>& guesses) {
+  const auto agree = [](const DepthGuess& a, const DepthGuess& b) {
+    return std::abs(a.depth_m - b.depth_m) <= 3.0 * std::hypot(a.sigma_m, b.sigma_m);
+  };
+  const auto weight = [](const DepthGuess& g) { return 1.0 / (g.sigma_m * g.sigma_m); };
+  const DepthGuess* best = nullptr;
+  double best_support = 0.0;
+  for (const DepthGuess& candidate : guesses) {
+    double support = 0.0;
+    for (const DepthGuess& g : guesses) {
+      if (agree(g, candidate)) support += weight(g);
+    }
+    if (support > best_support) {
+      best_support = support;
+      best = &candidate;
+    }
+  }
+  double sum = 0.0;
+  for (const DepthGuess& g : guesses) {
+    if (agree(g, *best)) sum += weight(g) * g.depth_m;
+  }
+  return {.depth_m = sum / best_support, .sigma_m = 1.0 / std::sqrt(best_support)};
+}
+
+void erode_depth_edges(DepthMap& map, double edge_step, int margin_px) {
+  const ImagePlane<float> depth = map.depth_m;
+  const auto step_to = [&](int x, int y, int u, int v) {
+    return map.has_depth(u, v) && std::abs(depth.at(x, y) - depth.at(u, v)) >
+                                      edge_step * std::min(depth.at(x, y), depth.at(u, v));
+  };
+  std::vector<std::pair<int, int>> edges;
+  for (int y = 0; y < depth.height; ++y) {
+    for (int x = 0; x < depth.width; ++x) {
+      if (!std::isnan(depth.at(x, y)) && (step_to(x, y, x + 1, y) || step_to(x, y, x, y + 1))) {
+        edges.emplace_back(x, y);
+      }
+    }
+  }
+  for (const auto& [x, y] : edges) {
+    for (int v = std::max(0, y - margin_px + 1); v <= std::min(depth.height - 1, y + margin_px);
+         ++v) {
+      for (int u = std::max(0, x - margin_px + 1); u <= std::min(depth.width - 1, x + margin_px);
+           ++u) {
+        map.depth_m.at(u, v) = std::numeric_limits<float>::quiet_NaN();
+      }
+    }
+  }
+}
+
+}  // namespace hybridfusion

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "image_plane.hpp"
+#include "image_warp.hpp"
+
+#include <hybridfusion/core/point_cloud.hpp>
+#include <hybridfusion/core/rigid3.hpp>
+#include <hybridfusion/vision/rectification.hpp>
+
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace hybridfusion {
+
+/// Standard deviation of a matched disparity after sub-pixel refinement.
+inline constexpr double kDisparitySigmaPx = 0.5;
+
+/// Depths of one photo on its undistorted grid.
+struct DepthMap {
+  std::uint32_t view = 0;
+  PinholeGrid grid = {};
+  Rigid3 enu_from_camera = {};
+  ImagePlane<float> depth_m = {};  ///< Along the optical axis; NaN where there is none.
+  ImagePlane<float> sigma_m = {};
+  ImagePlane<Rgb8> rgb = {};
+  ImagePlane<std::uint8_t> mask = {};           ///< 0 where the photo has no data.
+  std::vector<std::uint32_t> partners = {};     ///< Views that it was matched with.
+  std::vector<std::uint32_t> overlapping = {};  ///< Views that see the same points, best first.
+
+  [[nodiscard]] bool has_depth(int x, int y) const {
+    return depth_m.contains(x, y) && !std::isnan(depth_m.at(x, y));
+  }
+  [[nodiscard]] Eigen::Vector3d point_in_enu(int x, int y, double depth) const {
+    return enu_from_camera * Eigen::Vector3d(depth * ray_of(grid, {x, y}));
+  }
+};
+
+/// Depth at a position between pixels: bilinear over four valid depths of one surface, else the
+/// nearest pixel's. Nothing when that has none.
+[[nodiscard]] std::optional<double> depth_at(const DepthMap& map, const Eigen::Vector2d& pixel);
+
+/// A depth hypothesis and its standard deviation.
+struct DepthGuess {
+  double depth_m = 0.0;
+  double sigma_m = 0.0;
+};
+
+/// Inverse-variance mean of the guesses that agree with the best supported one (within three
+/// standard deviations of their difference). Ties go to the first. @pre not empty
+[[nodiscard]] DepthGuess merge_guesses(const std::vector<DepthGuess>& guesses);
+
+/// Drops depths within `margin_px` of a step by more than the share `edge_step` of the depth.
+void erode_depth_edges(DepthMap& map, double edge_step, int margin_px);
+
+}  // namespace hybridfusion

@@ -1,0 +1,229 @@
+#include "stereo_depth.hpp"
+
+#include "stereo_matcher.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include <fmt/format.h>
+#include <opencv2/imgproc.hpp>
+
+namespace hybridfusion {
+namespace {
+
+constexpr double kMaxVerticalParallaxPx = 1.0;
+constexpr std::size_t kMaxOverlapping = 10;
+
+struct Pair {
+  PosedCamera first;
+  PosedCamera second;
+};
+
+PosedCamera posed(const Reconstruction& reconstruction,
+                  std::uint32_t view,
+                  const WorkImage& image) {
+  return {.intrinsics = image.intrinsics,
+          .enu_from_camera = *reconstruction.views[view].enu_from_camera};
+}
+
+/// Depth range along the rectified axis: what the shared points span, and a margin for what lies
+/// between and beyond them.
+Expected<RectificationRequest> request_for(const Reconstruction& reconstruction,
+                                           const StereoPartner& partner,
+                                           const Pair& pair) {
+  std::vector<double> depths;
+  for (const std::uint32_t point : partner.shared_points) {
+    const double z =
+        rectified_depth_m(pair.first, pair.second, reconstruction.points[point].point_in_enu);
+    if (z > 0.0) depths.push_back(z);
+  }
+  if (depths.size() < 10) return fail(ErrorCode::kInsufficient, "too few shared points in front");
+  std::ranges::sort(depths);
+  const double low = depths[depths.size() / 100];
+  const double high = depths[depths.size() - 1 - depths.size() / 100];
+  constexpr double kMargin = 0.15;
+  return RectificationRequest{.focal_px = pair.first.intrinsics.focal_px,
+                              .near_m = low / (1.0 + kMargin),
+                              .far_m = high * (1.0 + kMargin)};
+}
+
+/// Median distance of corresponding features from one row: a wrong camera model shows here first.
+double vertical_parallax_px(const Reconstruction& reconstruction,
+                            std::uint32_t reference,
+                            const StereoPartner& partner,
+                            const RectifiedGeometry& geometry) {
+  const auto row = [&](std::uint32_t view, std::uint32_t point) -> std::optional<double> {
+    const View& v = reconstruction.views[view];
+    for (const ViewObservation& seen : reconstruction.points[point].track) {
+      if (seen.view != view) continue;
+      const Eigen::Vector2d pixel = v.observations[seen.observation].pixel.cast<double>();
+      const Eigen::Vector3d ray = unproject(reconstruction.cameras[v.camera], pixel).homogeneous();
+      const Eigen::Vector3d turned =
+          geometry.enu_from_rectified.conjugate() * (v.enu_from_camera->rotation * ray);
+      if (turned.z() > 0.0) return geometry.left.focal_px * turned.y() / turned.z();
+    }
+    return std::nullopt;
+  };
+  std::vector<double> gaps;
+  for (const std::uint32_t point : partner.shared_points) {
+    const auto a = row(reference, point);
+    const auto b = row(partner.view, point);
+    if (a && b) gaps.push_back(std::abs(*a - *b));
+  }
+  if (gaps.empty()) return std::numeric_limits<double>::infinity();
+  const auto middle = gaps.begin() + static_cast<std::ptrdiff_t>(gaps.size() / 2);
+  std::ranges::nth_element(gaps, middle);
+  return *middle;
+}
+
+ImagePlane<std::uint8_t> plane_of(const cv::Mat& grey) {
+  ImagePlane<std::uint8_t> plane(grey.cols, grey.rows);
+  for (int y = 0; y < grey.rows; ++y)
+    std::copy_n(grey.ptr<std::uint8_t>(y), grey.cols, plane.row(y));
+  return plane;
+}
+
+RectifiedImages rectified_images(const Pair& pair,
+                                 const WorkImage& first,
+                                 const WorkImage& second,
+                                 const RectifiedGeometry& geometry) {
+  const auto warped =
+      [&](const PosedCamera& camera, const WorkImage& image, const PinholeGrid& grid) {
+        return warp(
+            image, grid, camera.enu_from_camera.rotation.conjugate() * geometry.enu_from_rectified);
+      };
+  const auto grey = [](const cv::Mat& rgb) {
+    cv::Mat result;
+    cv::cvtColor(rgb, result, cv::COLOR_RGB2GRAY);
+    return plane_of(result);
+  };
+  const WarpedImage left = warped(pair.first, first, geometry.left);
+  const WarpedImage right = warped(pair.second, second, geometry.right);
+  return {.left = grey(left.rgb),
+          .right = grey(right.rgb),
+          .left_mask = plane_of(left.mask),
+          .right_mask = plane_of(right.mask),
+          .num_disparities = geometry.num_disparities};
+}
+
+/// Disparity between pixels of one surface; NaN elsewhere.
+float sample(const ImagePlane<float>& disparity, double u, double v) {
+  constexpr float kSameSurfacePx = 1.0F;
+  const int x = static_cast<int>(std::floor(u));
+  const int y = static_cast<int>(std::floor(v));
+  if (!disparity.contains(x, y) || !disparity.contains(x + 1, y + 1)) {
+    return std::numeric_limits<float>::quiet_NaN();
+  }
+  const float a = disparity.at(x, y);
+  const float b = disparity.at(x + 1, y);
+  const float c = disparity.at(x, y + 1);
+  const float d = disparity.at(x + 1, y + 1);
+  const auto [low, high] = std::minmax({a, b, c, d});
+  if (!(high - low <= kSameSurfacePx) || std::isnan(a + b + c + d)) {
+    return std::numeric_limits<float>::quiet_NaN();
+  }
+  const auto s = static_cast<float>(u - x);
+  const auto t = static_cast<float>(v - y);
+  return (1 - t) * ((1 - s) * a + s * b) + t * ((1 - s) * c + s * d);
+}
+
+using Guesses = std::vector<std::vector<DepthGuess>>;
+
+/// Moves the disparities of a pair onto the reference photo's grid.
+void add_guesses(const DepthMap& map,
+                 const RectifiedGeometry& geometry,
+                 const ImagePlane<float>& disparity,
+                 Guesses& guesses) {
+  const Eigen::Matrix3d rectified_from_camera =
+      (geometry.enu_from_rectified.conjugate() * map.enu_from_camera.rotation).toRotationMatrix();
+  for (int y = 0; y < map.grid.height_px; ++y) {
+    for (int x = 0; x < map.grid.width_px; ++x) {
+      const Eigen::Vector3d ray = rectified_from_camera * ray_of(map.grid, {x, y});
+      if (!(ray.z() > 0.0)) continue;
+      const Eigen::Vector2d pixel = pixel_of(geometry.left, ray);
+      const float k = sample(disparity, pixel.x(), pixel.y());
+      if (std::isnan(k)) continue;
+      const double z = geometry.depth_m(k);  // along the rectified axis
+      // sigma_z = z^2 / (f B) sigma_d; both scale by 1 / ray.z() to the photo's own axis.
+      const double sigma =
+          z * z / (geometry.left.focal_px * geometry.baseline_m) * kDisparitySigmaPx;
+      guesses[map.depth_m.offset(x, y)].push_back({z / ray.z(), sigma / ray.z()});
+    }
+  }
+}
+
+DepthMap empty_map(const Reconstruction& reconstruction,
+                   std::uint32_t reference,
+                   const WorkImage& image) {
+  DepthMap map;
+  map.view = reference;
+  map.grid = undistorted_grid(image.intrinsics);
+  map.enu_from_camera = *reconstruction.views[reference].enu_from_camera;
+  map.overlapping = overlapping_views(reconstruction, reference, kMaxOverlapping);
+  map.depth_m = {map.grid.width_px, map.grid.height_px, std::numeric_limits<float>::quiet_NaN()};
+  map.sigma_m = {map.grid.width_px, map.grid.height_px, 0.0F};
+  map.rgb = {map.grid.width_px, map.grid.height_px};
+  const WarpedImage undistorted = warp(image, map.grid, Eigen::Quaterniond::Identity());
+  map.mask = plane_of(undistorted.mask);
+  for (int y = 0; y < map.grid.height_px; ++y) {
+    const auto* row = undistorted.rgb.ptr<cv::Vec3b>(y);
+    for (int x = 0; x < map.grid.width_px; ++x)
+      map.rgb.at(x, y) = {row[x][0], row[x][1], row[x][2]};
+  }
+  return map;
+}
+
+}  // namespace
+
+StereoDepthResult stereo_depth(const Reconstruction& reconstruction,
+                               std::uint32_t reference,
+                               std::span<const WorkImage> images,
+                               const DensifyOptions& options) {
+  StereoDepthResult result{.map = empty_map(reconstruction, reference, images[reference])};
+  DepthMap& map = result.map;
+  Guesses guesses(map.depth_m.values.size());
+  for (const StereoPartner& partner : choose_partners(reconstruction, reference, options)) {
+    if (images[partner.view].rgb.empty()) continue;
+    const auto refuse = [&](const std::string& why) {
+      result.refusals.push_back(fmt::format("{} with {}: {}",
+                                            reconstruction.views[reference].name,
+                                            reconstruction.views[partner.view].name,
+                                            why));
+    };
+    const Pair pair{.first = posed(reconstruction, reference, images[reference]),
+                    .second = posed(reconstruction, partner.view, images[partner.view])};
+    const auto request = request_for(reconstruction, partner, pair);
+    if (!request) {
+      refuse(request.error().message);
+      continue;
+    }
+    const auto geometry = rectify(pair.first, pair.second, *request);
+    if (!geometry) {
+      refuse(geometry.error().message);
+      continue;
+    }
+    const double parallax = vertical_parallax_px(reconstruction, reference, partner, *geometry);
+    if (!(parallax <= kMaxVerticalParallaxPx)) {
+      refuse(fmt::format("rows do not correspond: median vertical parallax {:.2f} px", parallax));
+      continue;
+    }
+    const auto disparity = match_pair(
+        rectified_images(pair, images[reference], images[partner.view], *geometry), options.stereo);
+    if (!disparity) {
+      refuse(disparity.error().message);
+      continue;
+    }
+    add_guesses(map, *geometry, *disparity, guesses);
+    map.partners.push_back(partner.view);
+    ++result.num_pairs;
+  }
+  for (std::size_t i = 0; i < guesses.size(); ++i) {
+    if (guesses[i].empty()) continue;
+    const DepthGuess merged = merge_guesses(guesses[i]);
+    map.depth_m.values[i] = static_cast<float>(merged.depth_m);
+    map.sigma_m.values[i] = static_cast<float>(merged.sigma_m);
+  }
+  return result;
+}
+
+}  // namespace hybridfusion

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "depth_map.hpp"
+#include "pair_choice.hpp"
+
+#include <hybridfusion/core/error.hpp>
+
+#include <span>
+#include <string>
+
+namespace hybridfusion {
+
+/// What stereo found for a reference photo.
+struct StereoDepthResult {
+  DepthMap map = {};
+  int num_pairs = 0;                       ///< That gave depths.
+  std::vector<std::string> refusals = {};  ///< One for each pair left out.
+};
+
+/// Matches a photo with each of its partners and merges the depths on the photo's own grid.
+/// @param images  Work images, one per view; those of the photo and its partners are used.
+[[nodiscard]] StereoDepthResult stereo_depth(const Reconstruction& reconstruction,
+                                             std::uint32_t reference,
+                                             std::span<const WorkImage> images,
+                                             const DensifyOptions& options);
+
+}  // namespace hybridfusion

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "bundle_adjustment.hpp"
+#include "sfm_model.hpp"
+
+#include <hybridfusion/core/error.hpp>
+#include <hybridfusion/core/run_context.hpp>
+#include <hybridfusion/vision/gnss_ingest.hpp>
+#include <hybridfusion/vision/reconstruction_options.hpp>
+
+namespace hybridfusion {
+
+/// GNSS of the registered views, with sigmas as stated.
+[[nodiscard]] GnssTerms gnss_terms(const SfmModel& model,
+                                   const GnssIngest& gnss,
+                                   const GnssOptions& options,
+                                   bool altitude_trusted);
+
+/// Vision less GNSS position of every observation, less the modelled vertical error [m].
+[[nodiscard]] std::vector<Eigen::Vector3d> gnss_residuals(const SfmModel& model,
+                                                          const GnssTerms& terms);
+
+/// Final adjustments of an aligned model: reprojection and GNSS errors with all intrinsics, then
+/// filtering and triangulating again; repeated. The deviations of pixels and of GNSS are estimated
+/// from the residuals in between.
+[[nodiscard]] Expected<void> adjust_with_gnss(SfmModel& model,
+                                              GnssTerms& terms,
+                                              const ReconstructionOptions& options,
+                                              const RunContext& ctx);
+
+}  // namespace hybridfusion
