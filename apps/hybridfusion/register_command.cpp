@@ -29,7 +29,9 @@ int register_clouds(const RegisterArguments& arguments, Session& session) {
     options.max_yaw_rad = *arguments.max_yaw_deg * std::numbers::pi / 180.0;
   RegisterInputs inputs{.vision = arguments.vision, .lidar = arguments.lidar};
   if (!arguments.initial.empty()) inputs.initial = arguments.initial;
-  inputs.near_identity = arguments.max_offset_m || arguments.max_yaw_deg;
+  // Unknown heading alone says that there is no coarse pose: then no offset limit holds either.
+  const bool heading_limited = arguments.max_yaw_deg && *arguments.max_yaw_deg < 180.0;
+  inputs.near_identity = arguments.max_offset_m || heading_limited;
   return run_stages(session, arguments.output, {}, {[&](Project& project) {
                       return register_stage(project, inputs, session.context);
                     }});
@@ -42,8 +44,8 @@ void add_register_command(CLI::App& app, Command& chosen) {
       "register",
       "Module C: vision cloud and LiDAR cloud -> transform and fused cloud. Writes "
       "OUTPUT/registration/registration.json and OUTPUT/fused/fused.ply, fused.las. Without "
-      "--initial, --max-offset-m and --max-yaw-deg the whole overlap and every heading are "
-      "searched.");
+      "--initial and --max-offset-m the whole overlap is searched; without --max-yaw-deg, too, "
+      "every heading.");
   auto arguments = std::make_shared<RegisterArguments>();
   command->add_option("--vision", arguments->vision, "Vision cloud G (.ply, .pcd, .xyz)")
       ->required();

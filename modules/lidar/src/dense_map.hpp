@@ -19,10 +19,7 @@ class DenseMap {
   explicit DenseMap(const DenseMapOptions& options);
 
   /// @pre scans come in order; `scan` counts them.
-  void add(std::uint32_t scan,
-           const Eigen::Vector3f& point_in_map,
-           float intensity,
-           float time_s);
+  void add(std::uint32_t scan, const Eigen::Vector3f& point_in_map, float intensity, float time_s);
   /// Voxels that, with their neighbours, were hit in min_scans scans, in order of their first hit.
   /// @param time_origin  Added to the times given to add().
   [[nodiscard]] PointCloud extract(Timestamp time_origin) const;

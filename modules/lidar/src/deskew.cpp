@@ -43,8 +43,8 @@ void deskew(const std::vector<LidarPoint>& points,
       const Eigen::Matrix3d end_from_map = end.map_from_imu.transpose();
       const Eigen::Matrix3d end_from_imu =
           end_from_map * from.map_from_imu * so3_exp(h * from.angular_velocity_radps);
-      const Eigen::Vector3d position = from.position_in_map + h * from.velocity_in_map +
-                                       0.5 * h * h * from.acceleration_in_map;
+      const Eigen::Vector3d position =
+          from.position_in_map + h * from.velocity_in_map + 0.5 * h * h * from.acceleration_in_map;
       const Eigen::Vector3d imu_in_end = end_from_map * (position - end.position_in_map);
       end_from_lidar = (end_from_imu * end.imu_from_lidar).cast<float>();
       lidar_in_end = (end_from_imu * end.lidar_in_imu + imu_in_end).cast<float>();

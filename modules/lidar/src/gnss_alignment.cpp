@@ -106,8 +106,7 @@ Fit robust_start(const std::vector<Pair>& pairs, double extent_m) {
   for (std::size_t a = 0; a < seeds.size(); ++a) {
     for (std::size_t b = a + 1; b < seeds.size(); ++b) {
       const std::vector<Pair> two{pairs[seeds[a]], pairs[seeds[b]]};
-      const double length =
-          (two[1].antenna_in_map - two[0].antenna_in_map).head<2>().norm();
+      const double length = (two[1].antenna_in_map - two[0].antenna_in_map).head<2>().norm();
       if (length < 0.4 * extent_m) continue;
       const Fit fit = solve(two, {1.0, 1.0});
       for (std::size_t i = 0; i < pairs.size(); ++i) {
@@ -128,8 +127,7 @@ double extent_of(const std::vector<Pair>& pairs) {
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     for (std::size_t j = i + 1; j < pairs.size(); j += 1 + pairs.size() / 200) {
       extent2 = std::max(
-          extent2,
-          (pairs[i].antenna_in_map - pairs[j].antenna_in_map).head<2>().squaredNorm());
+          extent2, (pairs[i].antenna_in_map - pairs[j].antenna_in_map).head<2>().squaredNorm());
     }
   }
   return std::sqrt(extent2);
@@ -258,8 +256,8 @@ Expected<GnssAlignment> align_gnss(const Trajectory& trajectory,
   constexpr double kShortestTrack_m = 1.0;
   if (out.track_extent_m < kShortestTrack_m) return too_short(median(sigmas));
   std::vector<double> weights;
-  const Fit fit = reweighted(
-      pairs, options.outlier_sigmas, robust_start(pairs, out.track_extent_m), weights);
+  const Fit fit =
+      reweighted(pairs, options.outlier_sigmas, robust_start(pairs, out.track_extent_m), weights);
   fill_statistics(pairs, weights, fit, out);
   if (out.num_used < kMinFixes) {
     return fail(ErrorCode::kInsufficient,
@@ -279,9 +277,9 @@ Expected<GnssAlignment> align_gnss(const Trajectory& trajectory,
                             options.max_yaw_sigma_rad));
   }
   out.yaw_rad = fit.yaw;
-  out.enu_from_map = {.rotation = Eigen::Quaterniond(
-                          Eigen::AngleAxisd(fit.yaw, Eigen::Vector3d::UnitZ())),
-                      .translation = fit.translation};
+  out.enu_from_map = {
+      .rotation = Eigen::Quaterniond(Eigen::AngleAxisd(fit.yaw, Eigen::Vector3d::UnitZ())),
+      .translation = fit.translation};
   return out;
 }
 

@@ -42,7 +42,8 @@ ImuBuffer::Verdict ImuBuffer::add(ImuSample sample) {
     held_.reset();
   }
   if (sample.time <= last_time()) {
-    // A repeated stamp now and then is a duplicate; a run of late ones is a clock that was set back.
+    // A repeated stamp now and then is a duplicate; a run of late ones is a clock that was set
+    // back.
     if (++num_late_ < kLateUntilStep) return Verdict::kDropped;
     const Timestamp step =
         last_time() + from_seconds(num_late_ * typical_interval_s_) - sample.time;
@@ -99,8 +100,8 @@ ImuSample ImuBuffer::at(Timestamp time) const {
   const ImuSample& a = *(after - 1);
   const double share = to_seconds(time - a.time) / to_seconds(b.time - a.time);
   return {.time = time,
-          .angular_velocity_radps =
-              a.angular_velocity_radps + share * (b.angular_velocity_radps - a.angular_velocity_radps),
+          .angular_velocity_radps = a.angular_velocity_radps +
+                                    share * (b.angular_velocity_radps - a.angular_velocity_radps),
           .specific_force_mps2 =
               a.specific_force_mps2 + share * (b.specific_force_mps2 - a.specific_force_mps2)};
 }
@@ -110,22 +111,21 @@ std::vector<ImuStep> ImuBuffer::steps(Timestamp begin, Timestamp end) const {
   if (samples_.empty()) return out;
   const double limit_s = gap_s();
   const auto time_of = [](const ImuSample& s) { return s.time; };
-  auto next = static_cast<std::size_t>(
-      std::ranges::upper_bound(samples_, begin, {}, time_of) - samples_.begin());
+  auto next = static_cast<std::size_t>(std::ranges::upper_bound(samples_, begin, {}, time_of) -
+                                       samples_.begin());
   Timestamp now = begin;
   while (now < end) {
     // The interval of samples that `now` lies in; open at either end of the data.
     const bool before = next == 0;
     const bool after = next == samples_.size();
     const Timestamp border = after ? end : std::min(end, samples_[next].time);
-    const double hold_s =
-        before ? to_seconds(samples_.front().time - now)
-               : (after ? to_seconds(end - samples_.back().time)
-                        : to_seconds(samples_[next].time - samples_[next - 1].time));
+    const double hold_s = before
+                              ? to_seconds(samples_.front().time - now)
+                              : (after ? to_seconds(end - samples_.back().time)
+                                       : to_seconds(samples_[next].time - samples_[next - 1].time));
     const bool saturated = (!before && saturated_[next - 1]) || (!after && saturated_[next]);
-    const auto num_parts =
-        std::max<std::int64_t>(1, static_cast<std::int64_t>(
-                                      std::ceil(to_seconds(border - now) / kMaxStep_s)));
+    const auto num_parts = std::max<std::int64_t>(
+        1, static_cast<std::int64_t>(std::ceil(to_seconds(border - now) / kMaxStep_s)));
     const Timestamp from = now;
     for (std::int64_t part = 1; part <= num_parts; ++part) {
       const Timestamp to = from + (border - from) * part / num_parts;

@@ -99,13 +99,11 @@ void propagate(const ImuStep& step, const ImuNoise& noise, StateEstimate& estima
 
 void integrate(const ImuStep& step, const Eigen::Vector3d& gyro_bias, ImuIncrement& increment) {
   const double dt = step.dt_s;
-  const Eigen::Matrix3d half =
-      so3_exp(0.5 * dt * (step.angular_velocity_radps - gyro_bias));
+  const Eigen::Matrix3d half = so3_exp(0.5 * dt * (step.angular_velocity_radps - gyro_bias));
   const Eigen::Matrix3d mid = increment.rotation * half;
   const Eigen::Vector3d force = mid * step.specific_force_mps2;
   increment.position_m += dt * increment.velocity_mps + 0.5 * dt * dt * force;
-  increment.position_by_accel_bias +=
-      dt * increment.velocity_by_accel_bias - 0.5 * dt * dt * mid;
+  increment.position_by_accel_bias += dt * increment.velocity_by_accel_bias - 0.5 * dt * dt * mid;
   increment.velocity_mps += dt * force;
   increment.velocity_by_accel_bias -= dt * mid;
   increment.rotation = mid * half;

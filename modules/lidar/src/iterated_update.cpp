@@ -43,8 +43,7 @@ MatchMatrix match_block(const PoseColumns& columns) {
 
 /// Information about the block at `a` with the block at `b` marginalised.
 Eigen::Matrix3d marginal(const MatchMatrix& h, int a, int b, double regularization) {
-  const Eigen::Matrix3d hbb =
-      h.block<3, 3>(b, b) + regularization * Eigen::Matrix3d::Identity();
+  const Eigen::Matrix3d hbb = h.block<3, 3>(b, b) + regularization * Eigen::Matrix3d::Identity();
   return h.block<3, 3>(a, a) - h.block<3, 3>(a, b) * hbb.ldlt().solve(h.block<3, 3>(b, a));
 }
 
@@ -61,15 +60,15 @@ Step solve_step(const ObservedInformation& observed,
   const ErrorMatrix j = transport(prior.state, deviation);
   const ErrorMatrix p = j * prior.covariance * j.transpose();
   const ErrorVector mean = -(j * deviation);
-  // (P^-1 + E A E^T)^-1 = P - P E (I + A E^T P E)^-1 A E^T P: no inverse of P, which may be singular.
+  // (P^-1 + E A E^T)^-1 = P - P E (I + A E^T P E)^-1 A E^T P: no inverse of P, which may be
+  // singular.
   const PoseColumns columns = match_columns(p);
   const Eigen::PartialPivLU<MatchMatrix> lu(MatchMatrix::Identity() +
                                             observed.information * match_block(columns));
   Step step;
-  step.error = mean + columns * lu.solve(observed.gradient -
-                                         observed.information * match_rows(mean));
-  const ErrorMatrix reduced =
-      p - columns * lu.solve(observed.information) * columns.transpose();
+  step.error =
+      mean + columns * lu.solve(observed.gradient - observed.information * match_rows(mean));
+  const ErrorMatrix reduced = p - columns * lu.solve(observed.information) * columns.transpose();
   step.covariance = 0.5 * (reduced + reduced.transpose());
   return step;
 }

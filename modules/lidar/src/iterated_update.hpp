@@ -28,7 +28,8 @@ struct UpdateReport {
 };
 
 /// Iterated update of `estimate` (the prediction) by the points of `matcher` (FAST-LIO2, Algorithm
-/// 1), in information form over the pose only. Left as predicted when flagged unmatched or diverged.
+/// 1), in information form over the pose only. Left as predicted when flagged unmatched or
+/// diverged.
 /// @param repeat_deskew  Called with the state after the first pass; updates the points. (After
 /// every pass when the extrinsic is estimated.)
 [[nodiscard]] UpdateReport iterated_update(

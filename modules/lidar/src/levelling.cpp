@@ -35,8 +35,7 @@ std::optional<Window> window_between(std::span<const StoredScan> scans,
     const double dt = increment.duration_s;
     sum.position += dt * sum.velocity + rotation * increment.position_m;
     sum.velocity += rotation * increment.velocity_mps;
-    sum.position_by_bias +=
-        dt * sum.velocity_by_bias + rotation * increment.position_by_accel_bias;
+    sum.position_by_bias += dt * sum.velocity_by_bias + rotation * increment.position_by_accel_bias;
     sum.velocity_by_bias += rotation * increment.velocity_by_accel_bias;
     sum.duration_s += dt;
   }

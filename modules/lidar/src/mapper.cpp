@@ -56,10 +56,9 @@ LidarMapper::~LidarMapper() = default;
 
 Expected<LidarMapper> LidarMapper::create(const OdometryOptions& options, const LidarRig& rig) {
   HF_TRY(LidarOdometry odometry, LidarOdometry::create(options, rig));
-  return LidarMapper(
-      std::make_unique<Impl>(Impl{.odometry = std::move(odometry),
-                                  .options = options,
-                                  .store = ScanStore(options.max_points_per_scan)}));
+  return LidarMapper(std::make_unique<Impl>(Impl{.odometry = std::move(odometry),
+                                                 .options = options,
+                                                 .store = ScanStore(options.max_points_per_scan)}));
 }
 
 void LidarMapper::add(SensorMessage message) {

@@ -26,14 +26,14 @@ using ErrorMatrix = Eigen::Matrix<double, err::kSize, err::kSize>;
 
 /// State of the filter: R3 x SO(3) x R3 x R3 x R3 x S2 x SE(3).
 struct NavState {
-  Eigen::Vector3d position_in_map = Eigen::Vector3d::Zero();      ///< Of the IMU [m].
-  Eigen::Matrix3d map_from_imu = Eigen::Matrix3d::Identity();     ///< Rotation.
-  Eigen::Vector3d velocity_in_map = Eigen::Vector3d::Zero();      ///< [m/s]
-  Eigen::Vector3d gyro_bias = Eigen::Vector3d::Zero();            ///< [rad/s]
-  Eigen::Vector3d accel_bias = Eigen::Vector3d::Zero();           ///< [m/s^2]
-  Eigen::Vector3d gravity_in_map = {0.0, 0.0, -9.81};             ///< Constant length [m/s^2].
-  Eigen::Vector3d lidar_in_imu = Eigen::Vector3d::Zero();         ///< [m]
-  Eigen::Matrix3d imu_from_lidar = Eigen::Matrix3d::Identity();   ///< Rotation.
+  Eigen::Vector3d position_in_map = Eigen::Vector3d::Zero();     ///< Of the IMU [m].
+  Eigen::Matrix3d map_from_imu = Eigen::Matrix3d::Identity();    ///< Rotation.
+  Eigen::Vector3d velocity_in_map = Eigen::Vector3d::Zero();     ///< [m/s]
+  Eigen::Vector3d gyro_bias = Eigen::Vector3d::Zero();           ///< [rad/s]
+  Eigen::Vector3d accel_bias = Eigen::Vector3d::Zero();          ///< [m/s^2]
+  Eigen::Vector3d gravity_in_map = {0.0, 0.0, -9.81};            ///< Constant length [m/s^2].
+  Eigen::Vector3d lidar_in_imu = Eigen::Vector3d::Zero();        ///< [m]
+  Eigen::Matrix3d imu_from_lidar = Eigen::Matrix3d::Identity();  ///< Rotation.
 
   [[nodiscard]] Rigid3 pose() const;
 };

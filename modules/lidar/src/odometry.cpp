@@ -62,8 +62,7 @@ PreparedScan LidarOdometry::Impl::prepare(LidarScan scan) {
   PreparedScan out{.stamp = scan.stamp + shift};
   out.points = std::move(scan.points);
   const std::size_t num_returns = out.points.size();
-  const std::size_t num_dropped =
-      clean_scan(options.min_range_m, options.max_range_m, out.points);
+  const std::size_t num_dropped = clean_scan(options.min_range_m, options.max_range_m, out.points);
   summary.num_points_dropped += num_dropped;
   if (2 * num_dropped > num_returns) out.flags |= bit(ScanFlag::kBadPoints);
   if (out.points.size() < static_cast<std::size_t>(options.filter.min_matches)) {
@@ -90,8 +89,8 @@ PreparedScan LidarOdometry::Impl::prepare(LidarScan scan) {
 
 bool LidarOdometry::Impl::accept(PreparedScan& scan) {
   if (num_accepted > 0 && scan.end <= last_end) {
-    const bool last_was_ahead = !waiting.empty() && !imu.empty() &&
-                                to_seconds(last_end - imu.last_time()) > kFarAhead_s;
+    const bool last_was_ahead =
+        !waiting.empty() && !imu.empty() && to_seconds(last_end - imu.last_time()) > kFarAhead_s;
     if (last_was_ahead) {
       waiting.pop_back();
       ++summary.num_scans_dropped;
@@ -220,9 +219,8 @@ void LidarOdometry::Impl::drain(bool last) {
     if (!covered && !forced) return;
     if (!covered && !summary.imu_ended) {
       summary.imu_ended = true;
-      summary.warnings.push_back(
-          fmt::format("the IMU stops at scan {}: later motion comes from the LiDAR alone",
-                      summary.num_scans));
+      summary.warnings.push_back(fmt::format(
+          "the IMU stops at scan {}: later motion comes from the LiDAR alone", summary.num_scans));
     }
     if (!filter && !try_start(forced)) return;
     process_front();
@@ -245,12 +243,15 @@ void LidarOdometry::add_imu(const ImuSample& sample) {
   shifted.time += from_seconds(impl_->options.imu_time_offset_s);
   ++impl_->summary.num_imu_samples;
   switch (impl_->imu.add(shifted)) {
-    case ImuBuffer::Verdict::kDropped: ++impl_->summary.num_imu_dropped; break;
+    case ImuBuffer::Verdict::kDropped:
+      ++impl_->summary.num_imu_dropped;
+      break;
     case ImuBuffer::Verdict::kClockStep:
       impl_->summary.warnings.emplace_back("the IMU clock went back; its stamps are shifted");
       break;
     case ImuBuffer::Verdict::kTaken:
-    case ImuBuffer::Verdict::kHeld: break;
+    case ImuBuffer::Verdict::kHeld:
+      break;
   }
   impl_->summary.num_imu_gaps = impl_->imu.num_gaps();
   impl_->drain(false);

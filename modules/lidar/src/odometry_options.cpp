@@ -17,10 +17,10 @@ Expected<void> validate(const LidarRig& rig) {
        {"accel_bias_walk", noise.accel_bias_walk}}};
   for (const auto& [name, value] : densities) {
     if (!(value > 0.0 && value < 10.0)) {
-      return fail(ErrorCode::kInvalidOptions,
-                  fmt::format("{} = {} is outside (0, 10); take it from the IMU's data sheet",
-                              name,
-                              value));
+      return fail(
+          ErrorCode::kInvalidOptions,
+          fmt::format(
+              "{} = {} is outside (0, 10); take it from the IMU's data sheet", name, value));
     }
   }
   if (!rig.imu_from_lidar.translation.allFinite() ||
@@ -34,17 +34,19 @@ Expected<void> validate(const LidarRig& rig) {
 Expected<void> validate_odometry(const OdometryOptions& options) {
   if (auto valid = validate(options, "lidar.odometry"); !valid) return valid;
   if (options.min_range_m >= options.max_range_m) {
-    return fail(ErrorCode::kInvalidOptions,
-                fmt::format("lidar.odometry.min_range_m = {} must be below lidar.odometry.max_range_m = {}",
-                            options.min_range_m,
-                            options.max_range_m));
+    return fail(
+        ErrorCode::kInvalidOptions,
+        fmt::format("lidar.odometry.min_range_m = {} must be below lidar.odometry.max_range_m = {}",
+                    options.min_range_m,
+                    options.max_range_m));
   }
   if (options.local_map.cube_side_m < 3.0 * options.max_range_m) {
-    return fail(ErrorCode::kInvalidOptions,
-                fmt::format("lidar.odometry.local_map.cube_side_m = {} must be at least three times "
-                            "lidar.odometry.max_range_m = {}, or the map loses points that are in sight",
-                            options.local_map.cube_side_m,
-                            options.max_range_m));
+    return fail(
+        ErrorCode::kInvalidOptions,
+        fmt::format("lidar.odometry.local_map.cube_side_m = {} must be at least three times "
+                    "lidar.odometry.max_range_m = {}, or the map loses points that are in sight",
+                    options.local_map.cube_side_m,
+                    options.max_range_m));
   }
   return {};
 }

@@ -111,8 +111,8 @@ std::optional<FittedPlane> fit(std::span<const PlaneCluster> members,
     const Rigid3& pose = map_from_segment[members[i].segment];
     const Eigen::Matrix3d r = pose.rotation.toRotationMatrix();
     const Eigen::Vector3d d = pose * members[i].mean.cast<double>() - plane.center;
-    covariance += weights[i] * (r * members[i].covariance.cast<double>() * r.transpose() +
-                                d * d.transpose());
+    covariance +=
+        weights[i] * (r * members[i].covariance.cast<double>() * r.transpose() + d * d.transpose());
   }
   covariance /= total;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
@@ -261,8 +261,7 @@ Expected<PlaneAdjustmentReport> adjust_planes(std::span<const PlaneCluster> clus
     const Vector6 delta = step.segment<6>(static_cast<Eigen::Index>(6 * (i - 1)));
     Rigid3& pose = map_from_segment[i];
     pose.translation += delta.head<3>();
-    pose.rotation =
-        (pose.rotation * Eigen::Quaterniond(so3_exp(delta.tail<3>()))).normalized();
+    pose.rotation = (pose.rotation * Eigen::Quaterniond(so3_exp(delta.tail<3>()))).normalized();
     report.max_shift_m = std::max(report.max_shift_m, delta.head<3>().norm());
   }
   report.rms_before_m = sum_weights > 0.0 ? std::sqrt(sum_squares / sum_weights) : 0.0;

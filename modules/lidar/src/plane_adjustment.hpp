@@ -16,8 +16,8 @@ struct PlaneCluster {
   std::uint64_t cell = 0;
   std::uint32_t segment = 0;
   float count = 0.0F;
-  Eigen::Vector3f mean = Eigen::Vector3f::Zero();         ///< In the segment's frame [m].
-  Eigen::Matrix3f covariance = Eigen::Matrix3f::Zero();   ///< About the mean [m^2].
+  Eigen::Vector3f mean = Eigen::Vector3f::Zero();        ///< In the segment's frame [m].
+  Eigen::Matrix3f covariance = Eigen::Matrix3f::Zero();  ///< About the mean [m^2].
 };
 
 /// Pose change between neighbouring segments that odometry measured.
@@ -40,10 +40,9 @@ struct PlaneAdjustmentReport {
 /// @param clusters  Sorted by cell, then segment.
 /// @param links     links[i] joins segments i and i + 1.
 /// @returns kDegenerate when the system cannot be solved.
-[[nodiscard]] Expected<PlaneAdjustmentReport> adjust_planes(
-    std::span<const PlaneCluster> clusters,
-    std::span<const SegmentLink> links,
-    double max_plane_sigma_m,
-    std::vector<Rigid3>& map_from_segment);
+[[nodiscard]] Expected<PlaneAdjustmentReport> adjust_planes(std::span<const PlaneCluster> clusters,
+                                                            std::span<const SegmentLink> links,
+                                                            double max_plane_sigma_m,
+                                                            std::vector<Rigid3>& map_from_segment);
 
 }  // namespace hybridfusion

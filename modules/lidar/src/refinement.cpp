@@ -76,8 +76,7 @@ std::vector<PlaneCluster> cluster_segment(const ScanStore& store,
          .segment = index,
          .count = moments.count,
          .mean = mean.cast<float>(),
-         .covariance =
-             (moments.squares / moments.count - mean * mean.transpose()).cast<float>()});
+         .covariance = (moments.squares / moments.count - mean * mean.transpose()).cast<float>()});
   }
   return clusters;
 }
@@ -114,9 +113,9 @@ void move_scans(const std::vector<Segment>& segments,
   Trajectory corrections;
   for (std::size_t i = 0; i < segments.size(); ++i) {
     const StoredScan& anchor = scans[segments[i].anchor];
-    corrections.poses.push_back({.time = anchor.time,
-                                 .map_from_body =
-                                     anchor.map_from_imu.inverse() * map_from_segment[i]});
+    corrections.poses.push_back(
+        {.time = anchor.time,
+         .map_from_body = anchor.map_from_imu.inverse() * map_from_segment[i]});
   }
   for (StoredScan& scan : scans) {
     const auto correction = interpolate(corrections, scan.time, kUnbounded);

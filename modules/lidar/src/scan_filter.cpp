@@ -40,10 +40,12 @@ ScanFilter::ScanFilter(const OdometryOptions& options,
       time_(time),
       map_(options.local_map.voxel_m) {
   if (options.filter.estimate_extrinsic) {
-    estimate_.covariance.diagonal().segment<3>(err::kExtrinsicPosition).setConstant(
-        kExtrinsicSigma_m * kExtrinsicSigma_m);
-    estimate_.covariance.diagonal().segment<3>(err::kExtrinsicRotation).setConstant(
-        kExtrinsicSigma_rad * kExtrinsicSigma_rad);
+    estimate_.covariance.diagonal()
+        .segment<3>(err::kExtrinsicPosition)
+        .setConstant(kExtrinsicSigma_m * kExtrinsicSigma_m);
+    estimate_.covariance.diagonal()
+        .segment<3>(err::kExtrinsicRotation)
+        .setConstant(kExtrinsicSigma_rad * kExtrinsicSigma_rad);
   }
 }
 
@@ -71,9 +73,8 @@ void ScanFilter::predict(const ImuBuffer& imu, ScanEstimate& scan) {
 
 ScanEstimate ScanFilter::process(const PreparedScan& scan, const ImuBuffer& imu) {
   ScanEstimate out{.start = scan.stamp, .time = scan.end};
-  out.quality = {.time = scan.end,
-                 .num_points = static_cast<int>(scan.points.size()),
-                 .flags = scan.flags};
+  out.quality = {
+      .time = scan.end, .num_points = static_cast<int>(scan.points.size()), .flags = scan.flags};
   const Eigen::Matrix3d map_from_last = estimate_.state.map_from_imu;
   predict(imu, out);
   std::vector<ImuStep> steps = imu.steps(scan.begin, scan.end);
@@ -92,8 +93,7 @@ ScanEstimate ScanFilter::process(const PreparedScan& scan, const ImuBuffer& imu)
       deskew_to(end);
       points.update_points(pick(out.deskewed, chosen));
     };
-    const UpdateReport report =
-        iterated_update(options_.filter, repeat_deskew, matcher, estimate_);
+    const UpdateReport report = iterated_update(options_.filter, repeat_deskew, matcher, estimate_);
     out.quality.num_matched = report.num_matched;
     out.quality.mean_residual_m = report.mean_residual_m;
     out.quality.min_information = report.min_information;

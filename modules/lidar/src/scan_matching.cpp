@@ -108,8 +108,7 @@ MatchInformation ScanMatcher::linearize(const NavState& state) const {
       sum.gradient -= weight * residual * row;
     } else {
       const Eigen::Matrix<double, kPoseSize, 1> h = row.head<kPoseSize>();
-      sum.information.topLeftCorner<kPoseSize, kPoseSize>().noalias() +=
-          weight * h * h.transpose();
+      sum.information.topLeftCorner<kPoseSize, kPoseSize>().noalias() += weight * h * h.transpose();
       sum.gradient.head<kPoseSize>() -= weight * residual * h;
     }
   }

@@ -39,8 +39,7 @@ PackedPoint pack(const UnpackedPoint& point) {
 }
 
 UnpackedPoint unpack(const PackedPoint& point) {
-  const std::uint64_t xyz =
-      (static_cast<std::uint64_t>(point.xy_high_z) << 32U) | point.xy_low;
+  const std::uint64_t xyz = (static_cast<std::uint64_t>(point.xy_high_z) << 32U) | point.xy_low;
   return {.point_in_imu = {from_grid(xyz), from_grid(xyz >> 21U), from_grid(xyz >> 42U)},
           .intensity = std::bit_cast<float>(static_cast<std::uint32_t>(point.intensity) << 16U),
           .share = static_cast<float>(point.time) / 65535.0F};
@@ -55,8 +54,7 @@ void ScanStore::add(const ScanEstimate& scan) {
   StoredScan stored{.begin = scan.start,
                     .time = scan.time,
                     .map_from_imu = scan.map_from_imu,
-                    .gravity_in_imu =
-                        scan.map_from_imu.rotation.conjugate() * scan.gravity_in_map,
+                    .gravity_in_imu = scan.map_from_imu.rotation.conjugate() * scan.gravity_in_map,
                     .gravity_sigma_rad = scan.gravity_sigma_rad,
                     .since_last = scan.since_last,
                     .block = points_.size(),
@@ -65,16 +63,14 @@ void ScanStore::add(const ScanEstimate& scan) {
   if (!scan.deskewed.empty()) {
     stored.begin = scan.start + Timestamp(scan.deskewed.front().offset_ns);
     const auto first_ns = static_cast<double>(scan.deskewed.front().offset_ns);
-    const double span_ns =
-        std::max(1.0, static_cast<double>((scan.time - stored.begin).count()));
+    const double span_ns = std::max(1.0, static_cast<double>((scan.time - stored.begin).count()));
     const std::size_t stride = (scan.deskewed.size() - 1) / max_points_per_scan_ + 1;
     packed.reserve(scan.deskewed.size() / stride + 1);
     for (std::size_t i = 0; i < scan.deskewed.size(); i += stride) {
       const LidarPoint& point = scan.deskewed[i];
-      packed.push_back(pack(
-          {.point_in_imu = point.point_in_lidar,
-           .intensity = point.intensity,
-           .share = static_cast<float>((point.offset_ns - first_ns) / span_ns)}));
+      packed.push_back(pack({.point_in_imu = point.point_in_lidar,
+                             .intensity = point.intensity,
+                             .share = static_cast<float>((point.offset_ns - first_ns) / span_ns)}));
     }
   }
   stored.num_points = packed.size();

@@ -15,8 +15,9 @@ using testing::Rigid3Near;
 
 const GeodeticOrigin kOrigin{48.15, 11.57, 520.0};
 const Eigen::Vector3d kAntenna(-0.45, 0.1, 0.52);
-const Rigid3 kTruth{.rotation = Eigen::Quaterniond(Eigen::AngleAxisd(2.2, Eigen::Vector3d::UnitZ())),
-                    .translation = {30.0, -12.0, 4.0}};
+const Rigid3 kTruth{
+    .rotation = Eigen::Quaterniond(Eigen::AngleAxisd(2.2, Eigen::Vector3d::UnitZ())),
+    .translation = {30.0, -12.0, 4.0}};
 
 struct Track {
   Trajectory trajectory = {};
@@ -30,9 +31,9 @@ Track make_track(double radius_m, double sigma_m, std::uint64_t seed) {
     const double f = 0.015 * i;
     track.trajectory.poses.push_back(
         {.time = from_seconds(0.1 * i),
-         .map_from_body = {.rotation = Eigen::Quaterniond(
-                               Eigen::AngleAxisd(f, Eigen::Vector3d::UnitZ())),
-                           .translation = {radius_m * std::sin(f), -radius_m * std::cos(f), 0.0}}});
+         .map_from_body = {
+             .rotation = Eigen::Quaterniond(Eigen::AngleAxisd(f, Eigen::Vector3d::UnitZ())),
+             .translation = {radius_m * std::sin(f), -radius_m * std::cos(f), 0.0}}});
     if (i % 2 != 0) continue;
     const Eigen::Vector3d antenna =
         kTruth * (track.trajectory.poses.back().map_from_body * kAntenna) +

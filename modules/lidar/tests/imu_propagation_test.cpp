@@ -86,7 +86,8 @@ TEST(Propagation, PathLeadsToItsEnd) {
   const auto path = path_before(state, steps);
   ASSERT_EQ(path.size(), 5U);
   EXPECT_NEAR(path.front().time_s, -0.1, 1e-12);
-  EXPECT_TRUE(path.front().position_in_map.isApprox(start.position_in_map + Eigen::Vector3d::Zero(), 1e-9) ||
+  EXPECT_TRUE(path.front().position_in_map.isApprox(start.position_in_map + Eigen::Vector3d::Zero(),
+                                                    1e-9) ||
               (path.front().position_in_map - start.position_in_map).norm() < 1e-12);
   EXPECT_TRUE(path.front().map_from_imu.isApprox(start.map_from_imu, 1e-12));
 }

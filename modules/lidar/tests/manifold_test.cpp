@@ -1,4 +1,5 @@
 #include "manifold.hpp"
+
 #include "nav_state.hpp"
 
 #include <hybridfusion/core/random.hpp>
@@ -32,8 +33,7 @@ TEST(So3, RightJacobianAgreesWithDifferences) {
     Eigen::Matrix3d numeric;
     for (int k = 0; k < 3; ++k) {
       const Eigen::Vector3d d = kH * Eigen::Vector3d::Unit(k);
-      numeric.col(k) =
-          so3_log(so3_exp(phi - d).transpose() * so3_exp(phi + d)) / (2.0 * kH);
+      numeric.col(k) = so3_log(so3_exp(phi - d).transpose() * so3_exp(phi + d)) / (2.0 * kH);
     }
     EXPECT_TRUE(so3_right_jacobian(phi).isApprox(numeric, 1e-5));
   }

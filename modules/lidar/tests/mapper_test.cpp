@@ -43,7 +43,7 @@ TEST(LidarMapper, MapsADriveToCentimetres) {
     distances.push_back(testing::distance_to_world_m(world_from_map * point.cast<double>()));
   }
   std::ranges::sort(distances);
-  EXPECT_LT(distances[distances.size() / 2], 0.015);      // range noise alone: 0.013
+  EXPECT_LT(distances[distances.size() / 2], 0.015);  // range noise alone: 0.013
   EXPECT_LT(distances[distances.size() * 95 / 100], 0.06);
   EXPECT_GE(*std::ranges::min_element(result->map.times_s), testing::kDriveStart_s);
 }

@@ -41,9 +41,9 @@ Drive run(const SimulatedDrive& drive, const OdometryOptions& options = {}) {
   }
   out.error_m = trajectory_error_m(out.trajectory);
   const StampedPose& last = out.trajectory.poses.back();
-  const Eigen::Vector3d up_in_map = last.map_from_body.rotation *
-                                    (testing::true_world_from_imu(last.time).rotation.conjugate() *
-                                     Eigen::Vector3d::UnitZ());
+  const Eigen::Vector3d up_in_map =
+      last.map_from_body.rotation *
+      (testing::true_world_from_imu(last.time).rotation.conjugate() * Eigen::Vector3d::UnitZ());
   out.tilt_rad = std::acos(std::min(1.0, up_in_map.z()));
   return out;
 }
@@ -189,7 +189,8 @@ TEST(LidarOdometry, FollowsAClockThatIsSetBack) {
   ASSERT_TRUE(odometry);
   std::size_t imu = 0;
   for (std::size_t i = 0; i < drive.scans.size(); ++i) {
-    for (; imu < (i + 1) * 20 + 6 && imu < drive.imu.size(); ++imu) odometry->add_imu(drive.imu[imu]);
+    for (; imu < (i + 1) * 20 + 6 && imu < drive.imu.size(); ++imu)
+      odometry->add_imu(drive.imu[imu]);
     odometry->add_scan(drive.scans[i]);
   }
   ASSERT_TRUE(odometry->finish());

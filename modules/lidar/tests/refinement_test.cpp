@@ -1,10 +1,9 @@
 #include "dense_map.hpp"
+#include "imu_propagation.hpp"
 #include "levelling.hpp"
 #include "plane_adjustment.hpp"
-#include "scan_store.hpp"
-
-#include "manifold.hpp"
 #include "rigid3_matchers.hpp"
+#include "scan_store.hpp"
 
 #include <hybridfusion/core/random.hpp>
 
@@ -48,7 +47,8 @@ std::vector<PlaneCluster> wall_clusters(const std::vector<Rigid3>& map_from_segm
     for (std::uint32_t s = 0; s < map_from_segment.size(); ++s) {
       std::vector<Eigen::Vector3d> points;
       for (int i = 0; i < 30; ++i) {
-        Eigen::Vector3d p = corner + Eigen::Vector3d(random.uniform(), random.uniform(), random.uniform());
+        Eigen::Vector3d p =
+            corner + Eigen::Vector3d(random.uniform(), random.uniform(), random.uniform());
         p[axis] = -10.0;
         points.push_back(map_from_segment[s].inverse() * p);
       }
@@ -77,7 +77,8 @@ TEST(AdjustPlanes, BringsDisplacedSegmentsBack) {
   poses[2].rotation = poses[2].rotation * Eigen::Quaterniond(so3_exp({0.002, -0.001, 0.003}));
   // Links that believe the displaced poses, far less than the planes do.
   std::vector<SegmentLink> links;
-  for (int i = 0; i < 2; ++i) links.push_back({.first_from_second = poses[i].inverse() * poses[i + 1]});
+  for (int i = 0; i < 2; ++i)
+    links.push_back({.first_from_second = poses[i].inverse() * poses[i + 1]});
   for (int pass = 0; pass < 4; ++pass) ASSERT_TRUE(adjust_planes(clusters, links, 0.05, poses));
   for (int i = 0; i < 3; ++i) EXPECT_THAT(poses[i], Rigid3Near(truth[i], 1e-3, 1e-4)) << i;
 }
@@ -99,11 +100,10 @@ std::vector<StoredScan> tilted_drive(const Eigen::Quaterniond& map_from_level) {
     StoredScan scan{.time = from_seconds(0.1 * i)};
     if (i > 0) {
       for (int k = 0; k < 10; ++k) {
-        const ImuStep truth{
-            .dt_s = 0.01,
-            .angular_velocity_radps = {0.05 * std::sin(0.3 * i), 0.0, 0.5},
-            .specific_force_mps2 = state.map_from_imu.transpose() *
-                                   Eigen::Vector3d(std::sin(0.1 * i), 0.3, 9.81)};
+        const ImuStep truth{.dt_s = 0.01,
+                            .angular_velocity_radps = {0.05 * std::sin(0.3 * i), 0.0, 0.5},
+                            .specific_force_mps2 = state.map_from_imu.transpose() *
+                                                   Eigen::Vector3d(std::sin(0.1 * i), 0.3, 9.81)};
         ImuStep measured = truth;
         measured.specific_force_mps2 += bias;
         integrate(measured, Eigen::Vector3d::Zero(), scan.since_last);

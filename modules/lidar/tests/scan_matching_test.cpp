@@ -1,6 +1,7 @@
+#include "scan_matching.hpp"
+
 #include "deskew.hpp"
 #include "iterated_update.hpp"
-#include "scan_matching.hpp"
 
 #include <hybridfusion/core/random.hpp>
 #include <hybridfusion/lidar/odometry.hpp>
@@ -46,8 +47,7 @@ TEST(PointToPlane, RowAgreesWithDifferences) {
   const Plane plane{.normal = Eigen::Vector3d(1, 2, -1).normalized(), .center = {5, 5, 5}};
   const Eigen::Vector3d point_in_lidar(4.0, -7.0, 2.0);
   const auto residual = [&](const NavState& at) {
-    return point_to_plane(
-        at, at.imu_from_lidar * point_in_lidar + at.lidar_in_imu, plane, nullptr);
+    return point_to_plane(at, at.imu_from_lidar * point_in_lidar + at.lidar_in_imu, plane, nullptr);
   };
   MatchVector row;
   (void)point_to_plane(

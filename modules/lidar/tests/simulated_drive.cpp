@@ -79,11 +79,12 @@ ImuSample imu_at(double t, Random& random) {
   const Eigen::Matrix3d before = pose_at(t - kH).rotation.toRotationMatrix();
   const Eigen::Matrix3d after = pose_at(t + kH).rotation.toRotationMatrix();
   constexpr double kHa = 1e-3;
-  const Eigen::Vector3d acceleration = (pose_at(t + kHa).translation - 2.0 * now.translation +
-                                        pose_at(t - kHa).translation) /
-                                       (kHa * kHa);
+  const Eigen::Vector3d acceleration =
+      (pose_at(t + kHa).translation - 2.0 * now.translation + pose_at(t - kHa).translation) /
+      (kHa * kHa);
   const auto noise = [&](double sigma) {
-    return Eigen::Vector3d(sigma * random.normal(), sigma * random.normal(), sigma * random.normal());
+    return Eigen::Vector3d(
+        sigma * random.normal(), sigma * random.normal(), sigma * random.normal());
   };
   return {.time = from_seconds(kDriveStart_s + t),
           .angular_velocity_radps = so3_log(before.transpose() * after) / (2.0 * kH) +
@@ -96,7 +97,7 @@ ImuSample imu_at(double t, Random& random) {
 
 LidarScan scan_at(double t, const Rigid3& imu_from_lidar, Random& random) {
   constexpr int kRings = 16;
-  constexpr int kColumns = 240;
+  constexpr int kColumns = 180;
   constexpr double kDuration_s = 0.1;
   LidarScan scan{.stamp = from_seconds(kDriveStart_s + t)};
   for (int column = 0; column < kColumns; ++column) {
@@ -128,9 +129,9 @@ Rigid3 true_world_from_imu(Timestamp time) {
 
 SimulatedDrive simulate_drive(double duration_s, std::uint64_t seed) {
   SimulatedDrive drive;
-  drive.rig.imu_from_lidar = {
-      .rotation = Eigen::Quaterniond(Eigen::AngleAxisd(0.05, Eigen::Vector3d(1, -2, 3).normalized())),
-      .translation = {0.1, -0.05, 0.3}};
+  drive.rig.imu_from_lidar = {.rotation = Eigen::Quaterniond(
+                                  Eigen::AngleAxisd(0.05, Eigen::Vector3d(1, -2, 3).normalized())),
+                              .translation = {0.1, -0.05, 0.3}};
   drive.rig.imu_noise = {.gyro_noise_density = 2.4e-4, .accel_noise_density = 1.7e-3};
   Random imu_noise(seed, "test/imu");
   Random range_noise(seed, "test/lidar");
@@ -178,11 +179,9 @@ double trajectory_error_m(const Trajectory& trajectory) {
 double distance_to_world_m(const Eigen::Vector3d& point_in_world) {
   double nearest = std::abs(point_in_world.z());
   for (const Box& box : kBoxes) {
-    const Eigen::Vector3d outside =
-        (box.min - point_in_world).cwiseMax(point_in_world - box.max);
-    const double signed_distance = outside.maxCoeff() > 0.0
-                                       ? outside.cwiseMax(0.0).norm()
-                                       : -outside.maxCoeff();
+    const Eigen::Vector3d outside = (box.min - point_in_world).cwiseMax(point_in_world - box.max);
+    const double signed_distance =
+        outside.maxCoeff() > 0.0 ? outside.cwiseMax(0.0).norm() : -outside.maxCoeff();
     nearest = std::min(nearest, signed_distance);
   }
   return nearest;

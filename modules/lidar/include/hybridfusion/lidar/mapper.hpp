@@ -15,19 +15,19 @@ namespace hybridfusion {
 /// A mapped drive. The map frame: origin at the first IMU position, z up, heading of the first
 /// IMU x axis.
 struct MappingResult {
-  Trajectory trajectory = {};               ///< map_from_imu at the end of each scan.
-  PointCloud map = {};                      ///< L: points, intensities, times_s in the map frame.
-  std::vector<ScanQuality> quality = {};    ///< One for each pose.
+  Trajectory trajectory = {};             ///< map_from_imu at the end of each scan.
+  PointCloud map = {};                    ///< L: points, intensities, times_s in the map frame.
+  std::vector<ScanQuality> quality = {};  ///< One for each pose.
   /// One for each pose, before refinement: [translation in map; rotation in the IMU frame].
   std::vector<Eigen::Matrix<double, 6, 6>> covariances = {};
-  std::vector<GnssFix> gnss_fixes = {};     ///< As received, for align_gnss.
+  std::vector<GnssFix> gnss_fixes = {};  ///< As received, for align_gnss.
   OdometrySummary odometry = {};
-  int refine_iterations = 0;                ///< 0 when refinement is off or had nothing to do.
+  int refine_iterations = 0;  ///< 0 when refinement is off or had nothing to do.
   std::size_t num_refine_planes = 0;
-  double refine_rms_before_m = 0.0;         ///< Of points about common planes.
+  double refine_rms_before_m = 0.0;  ///< Of points about common planes.
   double refine_rms_after_m = 0.0;
-  double level_correction_rad = 0.0;        ///< Turn that made the first level estimate final.
-  std::vector<std::string> warnings = {};   ///< What a user should know, in full sentences.
+  double level_correction_rad = 0.0;       ///< Turn that made the first level estimate final.
+  std::vector<std::string> warnings = {};  ///< What a user should know, in full sentences.
 };
 
 /// "time,points,matched,mean_residual_m,min_information,flags", and a row of it.

@@ -32,12 +32,12 @@ enum class ScanFlag : std::uint32_t {
 
 /// How well one scan was located.
 struct ScanQuality {
-  Timestamp time{};                  ///< Scan end.
-  int num_points = 0;                ///< Valid points.
-  int num_matched = 0;               ///< Thinned points that found a plane.
-  double mean_residual_m = 0.0;      ///< Mean absolute point-to-plane distance.
-  double min_information = 0.0;      ///< Smallest eigenvalue for the position [1/m^2].
-  std::uint32_t flags = 0;           ///< ScanFlag bits.
+  Timestamp time{};              ///< Scan end.
+  int num_points = 0;            ///< Valid points.
+  int num_matched = 0;           ///< Thinned points that found a plane.
+  double mean_residual_m = 0.0;  ///< Mean absolute point-to-plane distance.
+  double min_information = 0.0;  ///< Smallest eigenvalue for the position [1/m^2].
+  std::uint32_t flags = 0;       ///< ScanFlag bits.
 };
 
 /// Motion that the IMU alone measured between two times, without gravity and initial velocity, in
@@ -72,19 +72,19 @@ struct ScanEstimate {
 
 /// Counts over a recording.
 struct OdometrySummary {
-  std::size_t num_scans = 0;            ///< Located.
-  std::size_t num_scans_dropped = 0;    ///< Duplicates and stamps that went back.
+  std::size_t num_scans = 0;          ///< Located.
+  std::size_t num_scans_dropped = 0;  ///< Duplicates and stamps that went back.
   std::size_t num_imu_samples = 0;
-  std::size_t num_imu_dropped = 0;      ///< Duplicates, stamps that went back, not finite.
+  std::size_t num_imu_dropped = 0;  ///< Duplicates, stamps that went back, not finite.
   std::size_t num_imu_gaps = 0;
   std::size_t num_lidar_gaps = 0;
-  std::size_t num_points_dropped = 0;   ///< NaN, infinite, zero or out of range.
+  std::size_t num_points_dropped = 0;  ///< NaN, infinite, zero or out of range.
   std::size_t num_unmatched_scans = 0;
   std::size_t num_degenerate_scans = 0;
   bool started_at_standstill = false;
-  bool imu_ended = false;               ///< Scans after the last IMU sample were located.
-  bool imu_in_g = false;                ///< Specific force came in units of g.
-  std::size_t num_map_points = 0;       ///< In the local map at the end.
+  bool imu_ended = false;          ///< Scans after the last IMU sample were located.
+  bool imu_in_g = false;           ///< Specific force came in units of g.
+  std::size_t num_map_points = 0;  ///< In the local map at the end.
   std::vector<std::string> warnings = {};
 };
 
