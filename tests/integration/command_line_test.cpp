@@ -84,7 +84,7 @@ TEST_F(CommandLine, TheOptionReferenceHasARowForEveryOption) {
 
 TEST_F(CommandLine, ConvertKeepsThePoints) {
   const std::string xyz = write("in.xyz", "0 0 0\n1.5 2 -3\n4 5 6\n");
-  for (const std::string& name : {"a.ply", "b.pcd", "c.las", "d.xyz"}) {
+  for (const char* name : {"a.ply", "b.pcd", "c.las", "d.xyz"}) {
     const ProgramResult result = run_program({"convert", xyz, path(name), "--json"});
     ASSERT_EQ(result.exit_code, 0) << name << result.err;
     EXPECT_EQ(nlohmann::json::parse(result.out).at("num_points"), 3) << name;

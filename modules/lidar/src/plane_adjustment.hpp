@@ -30,7 +30,6 @@ struct SegmentLink {
 struct PlaneAdjustmentReport {
   std::size_t num_planes = 0;
   double rms_before_m = 0.0;  ///< Weighted point-to-plane distance.
-  double rms_after_m = 0.0;   ///< Predicted by the last linearisation.
   double max_shift_m = 0.0;   ///< Largest move of a segment in the pass.
 };
 

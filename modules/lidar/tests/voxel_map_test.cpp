@@ -81,7 +81,7 @@ TEST(VoxelMap, GivesMemoryBackWhenItForgets) {
   for (int i = 0; i < 50'000; ++i) map.insert(random_point(random, 100.0));
   const std::size_t before = map.num_bytes();
   map.erase_outside(Eigen::Vector3f::Zero(), 10.0F);
-  EXPECT_LT(map.num_bytes(), before / 20);
+  EXPECT_LT(map.num_bytes(), before / 10);
   EXPECT_GT(map.size(), 0U);
 }
 

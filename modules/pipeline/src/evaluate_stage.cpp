@@ -128,8 +128,12 @@ Expected<StageOutcome> evaluate_pair(const CloudPair& pair,
   }
   HF_TRY(PairMetrics metrics, pair_metrics(registered, options, ctx));
   if (registered.truth) {
-    metrics.json["truth"]["registration"] =
+    Json error =
         registration_error_json(*registered.truth, registered.vision_from_lidar, centroid(lidar));
+    metrics.summary.push_back(fmt::format("registration: {:.3f} m at the centroid, {:.3f} deg",
+                                          error["at_centroid_m"].get<double>(),
+                                          error["rotation_deg"].get<double>()));
+    metrics.json["truth"]["registration"] = std::move(error);
   }
   return StageOutcome{.stage = "evaluate",
                       .result_json = to_text(metrics.json),

@@ -110,12 +110,19 @@ RunRecord RunRecord::load(const std::filesystem::path& path) {
 }
 
 Expected<void> RunRecord::save(const std::filesystem::path& path) const {
+  std::error_code code;
+  const std::string own_folder =
+      (std::filesystem::weakly_canonical(path, code).parent_path() / "").string();
   Json inputs = Json::array();
   Json seeds = Json::object();
   Json stage_json = Json::object();
   int threads = 0;
   for (const auto& [name, stage] : stages) {
-    for (Json& file : json_of(stage.inputs)) inputs.push_back(file);
+    for (Json& file : json_of(stage.inputs)) {
+      // What one stage hands to the next is no input of the run.
+      const bool is_own = file["path"].get<std::string>().starts_with(own_folder);
+      if (!is_own) inputs.push_back(file);
+    }
     seeds[name] = stage.seed;
     threads = stage.threads;
     stage_json[name] = json_of(stage);

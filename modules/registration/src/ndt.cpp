@@ -1,8 +1,8 @@
 #include "ndt_objective.hpp"
 
-#include <numbers>
-
 #include <hybridfusion/registration/ndt.hpp>
+
+#include <numbers>
 
 #include <fmt/format.h>
 

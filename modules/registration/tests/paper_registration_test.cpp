@@ -1,5 +1,6 @@
 #include "paper/boundary_alignment.hpp"
 #include "paper/isolated_points.hpp"
+#include "paper/patch_voting.hpp"
 #include "street_scene.hpp"
 
 #include <hybridfusion/geometry/ground.hpp>
@@ -86,6 +87,31 @@ TEST(AlignBoundaries2d, FindsAPlantedMotionFromTheCoarsePoseAndFromAfar) {
     EXPECT_NEAR(match->target_from_source.yaw_rad, truth.yaw_rad, 0.01);
     EXPECT_LT(match->mean_distance_m, 0.1);
   }
+}
+
+/// One patch pose per entry, shifted along x by that much.
+PaperResult voted(const std::vector<double>& shifts_m) {
+  PaperResult result;
+  for (const double x : shifts_m) {
+    PatchMatch match{.outcome = PatchOutcome::kPose};
+    match.vision_from_lidar.translation.x() = x;
+    result.patches.push_back(match);
+  }
+  cluster_poses(Eigen::Vector3d(100.0, 50.0, 0.0), {}, result);
+  return result;
+}
+
+TEST(ClusterPoses, AClearMajorityIsSupportedAndARivalOfNearlyItsSizeIsNot) {
+  const PaperResult clear = voted({0.0, 0.2, 0.4, 0.6, 20.0, 20.1, -30.0});
+  EXPECT_TRUE(clear.supported) << clear.reason;
+  EXPECT_EQ(clear.num_cluster_members, 4U);
+  EXPECT_EQ(clear.num_runner_up, 2U);
+  EXPECT_NEAR(clear.vision_from_lidar.translation.x(), 0.3, 1e-9);
+  EXPECT_EQ(clear.patches[0].outcome, PatchOutcome::kInCluster);
+  EXPECT_EQ(clear.patches[6].outcome, PatchOutcome::kPose);
+  EXPECT_FALSE(voted({0.0, 0.2, 0.4, 20.0, 20.1}).supported);  // 3 against 2
+  EXPECT_FALSE(voted({0.0, 0.2}).supported);                   // two patches
+  EXPECT_TRUE(voted({0.0, 0.2, 0.4, 1.5, 1.6}).supported);     // beside the cluster: no rival
 }
 
 TEST(RegisterByPatches, RecoversASmallOffsetAndSaysWhichPatchesAgreed) {

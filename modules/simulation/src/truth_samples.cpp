@@ -13,6 +13,10 @@ namespace {
 
 constexpr double kLidarStep_s = 0.4;
 constexpr std::uint8_t kManyPhotos = 4;
+// A surface counts as seen where beams hit it densely: not far off, not at a grazing angle.
+constexpr double kLidarReach_m = 45.0;
+constexpr float kLidarFacing = 0.12F;
+constexpr float kPhotoFacing = 0.05F;
 
 std::vector<TruthSample> draw_samples(const Scene& scene, double per_m2, std::uint64_t seed) {
   Random random(seed, "truth/samples");
@@ -49,13 +53,16 @@ std::vector<TruthSample> draw_samples(const Scene& scene, double per_m2, std::ui
 }
 
 /// Free line of sight. Leaves are seen from both sides.
-bool sees(const RayTracer& tracer, const TruthSample& sample, const Eigen::Vector3d& eye) {
+bool sees(const RayTracer& tracer,
+          const TruthSample& sample,
+          const Eigen::Vector3d& eye,
+          float least_facing) {
   const Eigen::Vector3f to_eye = eye.cast<float>() - sample.point;
   const float distance = to_eye.norm();
   const Eigen::Vector3f direction = to_eye / distance;
   const float facing = sample.normal.dot(direction);
   const bool leaf = sample.label == static_cast<std::uint8_t>(FaceLabel::kVegetation);
-  if (facing < 0.05F && !(leaf && facing < -0.05F)) return false;
+  if (facing < least_facing && !(leaf && facing < -least_facing)) return false;
   const Eigen::Vector3f start = sample.point + (facing > 0 ? 0.004F : -0.004F) * sample.normal;
   return !tracer.blocked(start, direction, 0.0F, distance);
 }
@@ -87,12 +94,15 @@ Expected<std::vector<TruthSample>> sample_truth(const Scene& scene,
     Eigen::Vector2d pixel;
     for (std::size_t i = 0; i < shots.size() && sample.drone < kManyPhotos; ++i) {
       if (!camera.project(cameras_from_world[i] * point, pixel)) continue;
-      if (sees(tracer, sample, shots[i].world_from_camera.translation)) ++sample.drone;
+      if (sees(tracer, sample, shots[i].world_from_camera.translation, kPhotoFacing))
+        ++sample.drone;
     }
     for (const Rigid3& world_from_lidar : world_from_lidars) {
-      if ((world_from_lidar.translation - point).squaredNorm() > 60.0 * 60.0) continue;
+      if ((world_from_lidar.translation - point).squaredNorm() > kLidarReach_m * kLidarReach_m) {
+        continue;
+      }
       if (!in_field_of_view(options.lidar, world_from_lidar.inverse() * point)) continue;
-      if (!sees(tracer, sample, world_from_lidar.translation)) continue;
+      if (!sees(tracer, sample, world_from_lidar.translation, kLidarFacing)) continue;
       sample.vehicle = 1;
       return;
     }

@@ -59,8 +59,4 @@ class IncrementalMapper {
 /// parts (an 8 x 8 grid in all), ascending. 0: all tracks with a point.
 [[nodiscard]] std::vector<std::uint32_t> select_tracks(const SfmModel& model, int per_view);
 
-/// Deactivates elements with more than `max_error_px` and drops points that lose their support.
-/// Returns the number of elements deactivated.
-std::size_t filter_observations(SfmModel& model, double max_error_px, double min_angle_deg);
-
 }  // namespace hybridfusion

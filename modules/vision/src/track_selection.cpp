@@ -1,10 +1,8 @@
 #include "incremental_mapper.hpp"
-#include "triangulation.hpp"
 
 #include <algorithm>
 #include <array>
-#include <numbers>
-#include <numeric>
+#include <functional>
 
 namespace hybridfusion {
 namespace {
@@ -50,31 +48,6 @@ std::vector<std::uint32_t> select_tracks(const SfmModel& model, int per_view) {
   }
   std::ranges::sort(selected);
   return selected;
-}
-
-std::size_t filter_observations(SfmModel& model, double max_error_px, double min_angle_deg) {
-  std::size_t removed = 0;
-  const double min_angle_rad = min_angle_deg * std::numbers::pi / 180.0;
-  std::vector<WorldRay> rays;
-  for (std::uint32_t t = 0; t < model.tracks.size(); ++t) {
-    if (!model.points[t]) continue;
-    rays.clear();
-    for (TrackElement& element : model.tracks[t]) {
-      if (!element.active) continue;
-      if (!model.world_from_view[element.view] ||
-          !(model.error_px(element, *model.points[t]) <= max_error_px)) {
-        element.active = false;
-        ++removed;
-        continue;
-      }
-      rays.push_back({.centre = model.world_from_view[element.view]->translation});
-    }
-    if (rays.size() < 2 || largest_angle_rad(rays, *model.points[t]) < min_angle_rad) {
-      model.points[t].reset();
-      for (TrackElement& element : model.tracks[t]) element.active = false;
-    }
-  }
-  return removed;
 }
 
 }  // namespace hybridfusion

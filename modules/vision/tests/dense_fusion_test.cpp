@@ -127,7 +127,9 @@ TEST(FuseDepthMaps, WeighsByInverseVariance) {
     const Eigen::Vector3f& p = cloud.points[i];
     const bool seen_by_both =
         std::abs(p.x()) < 6 && std::abs(p.y() + 2) < 4 && p.z() < 2 && p.z() > -0.2;
-    if (seen_by_both && std::hypot(p.x(), p.y()) > 5) EXPECT_NEAR(p.z(), 0.0, 0.02);
+    if (seen_by_both && std::hypot(p.x(), p.y()) > 5) {
+      EXPECT_NEAR(p.z(), 0.0, 0.02);
+    }
     EXPECT_GE(cloud.normals[i].z(), -1e-3F);  // towards the photos
   }
 }

@@ -126,16 +126,5 @@ TEST(SelectTracks, KeepsLongTracksAndEveryPartOfEveryView) {
   EXPECT_GT(some.size(), 64U);
 }
 
-TEST(FilterObservations, DropsTheBadElementAndKeepsTheTrack) {
-  auto flight = testing::make_flight({.noise_px = 0.0});
-  SfmModel& model = flight.truth;
-  std::uint32_t track = 0;
-  while (model.tracks[track].size() < 4) ++track;
-  model.tracks[track][0].pixel.x() += 10.0;
-  EXPECT_EQ(filter_observations(model, 4.0, 0.5), 1U);
-  EXPECT_FALSE(model.tracks[track][0].active);
-  EXPECT_TRUE(model.points[track]);
-}
-
 }  // namespace
 }  // namespace hybridfusion

@@ -76,8 +76,7 @@ struct Flight {
   GeodeticOrigin start{.latitude_deg = 48.0, .longitude_deg = 11.0, .altitude_m = 500.0};
 };
 
-/// Two strips of three photos, 30 m above ground, GNSS exact.
-Flight fly() {
+Flight render_flight() {
   Flight flight;
   for (int i = 0; i < 6; ++i) {
     const int row = i / 3;
@@ -101,6 +100,12 @@ Flight fly() {
     flight.photos.push_back(std::move(photo));
     flight.enu_from_camera.push_back(pose);
   }
+  return flight;
+}
+
+/// Two strips of three photos, 30 m above ground, GNSS exact; rendered once.
+Flight fly() {
+  static const Flight flight = render_flight();
   return flight;
 }
 

@@ -111,22 +111,11 @@ Expected<std::vector<DepthMap>> compute_depth_maps(std::span<const Photo> photos
   return maps;
 }
 
-}  // namespace
-
-Expected<PointCloud> densify(std::span<const Photo> photos,
-                             const Reconstruction& reconstruction,
-                             const DensifyOptions& options,
-                             const RunContext& ctx) {
-  HF_CHECK(photos.size() == reconstruction.views.size());
-  const auto registered = std::ranges::count_if(
-      reconstruction.views, [](const View& v) { return v.enu_from_camera.has_value(); });
-  if (registered < 2) {
-    return fail(
-        ErrorCode::kInsufficient,
-        fmt::format("a dense cloud needs at least 2 registered photos, got {}", registered));
-  }
+Expected<PointCloud> densify_registered(std::span<const Photo> photos,
+                                        const Reconstruction& reconstruction,
+                                        const DensifyOptions& options,
+                                        const RunContext& ctx) {
   HF_TRY(std::vector<DepthMap> maps, compute_depth_maps(photos, reconstruction, options, ctx));
-
   std::vector<CheckedDepth> checked(maps.size());
   const auto done =
       for_each_registered(reconstruction, "vision/dense/check", ctx, [&](std::uint32_t v) {
@@ -143,6 +132,27 @@ Expected<PointCloud> densify(std::span<const Photo> photos,
     return fail(ErrorCode::kInsufficient, "no depth is confirmed by a second photo");
   }
   return cloud;
+}
+
+}  // namespace
+
+Expected<PointCloud> densify(std::span<const Photo> photos,
+                             const Reconstruction& reconstruction,
+                             const DensifyOptions& options,
+                             const RunContext& ctx) {
+  HF_CHECK(photos.size() == reconstruction.views.size());
+  const auto registered = std::ranges::count_if(
+      reconstruction.views, [](const View& v) { return v.enu_from_camera.has_value(); });
+  if (registered < 2) {
+    return fail(
+        ErrorCode::kInsufficient,
+        fmt::format("a dense cloud needs at least 2 registered photos, got {}", registered));
+  }
+  try {
+    return densify_registered(photos, reconstruction, options, ctx);
+  } catch (const cv::Exception& e) {
+    return fail(ErrorCode::kInsufficient, std::string("OpenCV failed on a photo: ") + e.what());
+  }
 }
 
 }  // namespace hybridfusion

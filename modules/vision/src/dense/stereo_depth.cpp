@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kMaxVerticalParallaxPx = 1.0;
 constexpr std::size_t kMaxOverlapping = 10;
+constexpr double kMaxDisparities = 512.0;
 
 struct Pair {
   PosedCamera first;
@@ -42,9 +43,15 @@ Expected<RectificationRequest> request_for(const Reconstruction& reconstruction,
   const double low = depths[depths.size() / 100];
   const double high = depths[depths.size() - 1 - depths.size() / 100];
   constexpr double kMargin = 0.15;
-  return RectificationRequest{.focal_px = pair.first.intrinsics.focal_px,
-                              .near_m = low / (1.0 + kMargin),
-                              .far_m = high * (1.0 + kMargin)};
+  const double focal_px = pair.first.intrinsics.focal_px;
+  const double far_m = high * (1.0 + kMargin);
+  // Something very near would multiply the candidates of every pixel: it is given up instead.
+  const double focal_times_baseline =
+      focal_px *
+      (pair.second.enu_from_camera.translation - pair.first.enu_from_camera.translation).norm();
+  const double nearest_m = focal_times_baseline / (focal_times_baseline / far_m + kMaxDisparities);
+  return RectificationRequest{
+      .focal_px = focal_px, .near_m = std::max(low / (1.0 + kMargin), nearest_m), .far_m = far_m};
 }
 
 /// Median distance of corresponding features from one row: a wrong camera model shows here first.

@@ -17,7 +17,7 @@ struct FuseOptions {
   double min_distance_m = 0.15;
   double sigma_factor = 2.5;
   double default_vision_sigma_m = 0.06;
-  double default_lidar_sigma_m = 0.02;
+  double default_lidar_sigma_m = 0.01;
 };
 
 template <>
