@@ -173,8 +173,18 @@ TEST_F(Chain, LeavesDamagedPhotosOutAndGoesOn) {
   }
   cut(data("block-11/images/IMG_0009.JPG"), "images/IMG_0009.JPG", 0.5);
   write("images/notes.txt", "not a photo");
-  const ProgramResult result =
-      run_program({"reconstruct", "--images", path("images"), "--output", path("ws")});
+  // Small settings: this is about the photos that are left out, not about the cloud.
+  const ProgramResult result = run_program({"reconstruct",
+                                            "--images",
+                                            path("images"),
+                                            "--output",
+                                            path("ws"),
+                                            "--set",
+                                            "vision.reconstruction.features.min_keypoints=1000",
+                                            "--set",
+                                            "vision.reconstruction.features.max_keypoints=2000",
+                                            "--set",
+                                            "vision.densify.max_size_px=500"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(result.err, HasSubstr("IMG_0009.JPG"));
   const std::string positions = read_file(path("ws/vision/positions.csv"));
