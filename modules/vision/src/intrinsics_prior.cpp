@@ -105,7 +105,7 @@ void set_focal(CameraPrior& prior,
     prior.focal_sigma = options.focal_sigma_guess;
     prior.focal_guessed = true;
     warnings.push_back(fmt::format(
-        "{}: no focal length in the metadata, {:.0f} px assumed; set vision.intrinsics.focal_px if "
+        "{}: no focal length in the metadata, {:.0f} px assumed; set vision.reconstruction.intrinsics.focal_px if "
         "it is known",
         photo.name,
         prior.intrinsics.focal_px));

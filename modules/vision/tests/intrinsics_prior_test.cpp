@@ -42,7 +42,7 @@ TEST(GroupCameras, UnknownLensIsGuessedWithAWideSigmaAndSaysSo) {
   EXPECT_EQ(setup.cameras[0].intrinsics.focal_px, 1920.0);
   EXPECT_EQ(setup.cameras[0].focal_sigma, 0.15);
   ASSERT_EQ(setup.warnings.size(), 1U);
-  EXPECT_THAT(setup.warnings[0], HasSubstr("vision.intrinsics.focal_px"));
+  EXPECT_THAT(setup.warnings[0], HasSubstr("vision.reconstruction.intrinsics.focal_px"));
 }
 
 TEST(GroupCameras, OptionOverridesTheMetadata) {

@@ -106,7 +106,7 @@ Expected<std::vector<DepthMap>> compute_depth_maps(std::span<const Photo> photos
   if (num_pairs == 0) {
     return fail(ErrorCode::kInsufficient,
                 "no pair of photos can be matched: they share too few points or their intersection "
-                "angles are outside vision.dense.min_angle_deg .. max_angle_deg");
+                "angles are outside vision.densify.min_angle_deg .. max_angle_deg");
   }
   return maps;
 }
