@@ -62,11 +62,28 @@ std::vector<std::size_t> kept_points(const PointCloud& cloud,
   return kept;
 }
 
+/// LiDAR points take the colour of the nearest vision point: what the better positioned point shows
+/// is what the photos saw there. Farther than `max_distance_m` from any they are mid-grey.
+void borrow_colors(const PointCloud& vision,
+                   PointCloud& lidar,
+                   double max_distance_m,
+                   const RunContext& ctx) {
+  constexpr Rgb8 kGrey{128, 128, 128};
+  if (vision.colors.empty() || !lidar.colors.empty()) return;
+  lidar.colors.assign(lidar.size(), kGrey);
+  const KdTree tree(vision.points);
+  const double limit = max_distance_m * max_distance_m;
+  parallel_for(ctx, lidar.size(), 8192, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Neighbor nearest = tree.nearest(lidar.points[i]);
+      if (nearest.squared_distance_m2 <= limit) lidar.colors[i] = vision.colors[nearest.index];
+    }
+  });
+}
+
 /// Channels that only one sensor has get a neutral value in the other's points, so that they
 /// survive the merge.
 void harmonise(PointCloud& vision, PointCloud& lidar, const FuseOptions& options) {
-  constexpr Rgb8 kGrey{128, 128, 128};
-  if (!vision.colors.empty() && lidar.colors.empty()) lidar.colors.assign(lidar.size(), kGrey);
   if (!lidar.intensities.empty() && vision.intensities.empty()) {
     vision.intensities.assign(vision.size(), 0.0F);
   }
@@ -95,6 +112,7 @@ Expected<FuseResult> fuse_clouds(const PointCloud& vision,
   PointCloud b = transformed(vision_from_lidar, lidar);
   remove_non_finite(a);
   remove_non_finite(b);
+  borrow_colors(a, b, options.color_distance_m, ctx);
   FuseResult result;
   if (options.drop_duplicates && !a.empty() && !b.empty()) {
     const double sigma_a = options.default_vision_sigma_m;

@@ -46,6 +46,19 @@ TEST(FuseClouds, TheSmallerSigmaWins) {
   EXPECT_EQ(count(fused->cloud, PointSource::kLidar), 0U);
 }
 
+TEST(FuseClouds, LidarPointsBorrowTheColourOfNearVisionPoints) {
+  PointCloud vision = wall(0.08F, 0.0F, 4.0F);
+  vision.colors.assign(vision.size(), {10, 20, 30});
+  PointCloud lidar = wall(0.0F, 0.0F, 4.0F);
+  lidar.points.emplace_back(50.0F, 0.0F, 0.0F);
+  const auto fused = fuse_clouds(vision, lidar, Rigid3{});
+  ASSERT_TRUE(fused) << fused.error().message;
+  for (std::size_t i = 0; i < fused->cloud.size(); ++i) {
+    const bool is_far = fused->cloud.points[i].x() > 10.0F;
+    EXPECT_EQ(fused->cloud.colors[i], is_far ? (Rgb8{128, 128, 128}) : (Rgb8{10, 20, 30}));
+  }
+}
+
 TEST(FuseClouds, KeepsSurfacesThatAreApart) {
   const auto fused = fuse_clouds(wall(1.0F, 0.0F, 4.0F), wall(0.0F, 0.0F, 4.0F), Rigid3{});
   ASSERT_TRUE(fused) << fused.error().message;

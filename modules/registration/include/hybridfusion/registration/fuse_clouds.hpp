@@ -18,6 +18,7 @@ struct FuseOptions {
   double sigma_factor = 2.5;
   double default_vision_sigma_m = 0.06;
   double default_lidar_sigma_m = 0.01;
+  double color_distance_m = 0.3;
 };
 
 template <>
@@ -70,6 +71,15 @@ struct OptionFields<FuseOptions> {
              .max = 5.0,
              .doc = "Standard deviation of LiDAR points that carry none.",
              .source = "ours"}},
+      Field{
+          &T::color_distance_m,
+          {.key = "color_distance_m",
+           .unit = "m",
+           .min = 0.0,
+           .max = 100.0,
+           .doc = "LiDAR points take the colour of the nearest vision point within this distance; "
+                  "others are mid-grey.",
+           .source = "ours"}},
   };
 };
 
@@ -81,9 +91,9 @@ struct FuseResult {
 
 /// Maps the LiDAR cloud into the vision frame and merges both (HybridFusion III, module C). A point
 /// is dropped when the other cloud is the better one there (smaller sigma) and shows the same
-/// surface: no double walls, no thick ground. Channels survive when both clouds have them; colours
-/// survive from the vision cloud alone (LiDAR points become mid-grey) and intensities from the
-/// LiDAR cloud alone (vision points get 0).
+/// surface: no double walls, no thick ground. Channels survive when both clouds have them; LiDAR
+/// points without colours borrow those of near vision points; intensities survive from the LiDAR
+/// cloud alone (vision points get 0).
 /// @param vision_rescale  When given, applied to the vision cloud first (e.g. the scale that the
 ///                        LiDAR corrects); `vision_from_lidar` then refers to the rescaled cloud.
 /// @returns kInvalidOptions, or kInsufficient when a cloud's channels are inconsistent.
