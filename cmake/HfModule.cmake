@@ -41,5 +41,7 @@ function(hf_add_tests name)
   target_link_libraries(hf_${name}_test PRIVATE hybridfusion::${name} GTest::gmock GTest::gtest_main ${ARG_LIBRARIES}
                         hf_build_flags)
   target_include_directories(hf_${name}_test PRIVATE ${PROJECT_SOURCE_DIR}/tests/support)
+  # The tests of optimised code need no optimisation themselves: a third of the build's time.
+  target_compile_options(hf_${name}_test PRIVATE $<$<CONFIG:Release>:-O1>)
   gtest_discover_tests(hf_${name}_test PROPERTIES LABELS "unit;${name}" DISCOVERY_MODE PRE_TEST)
 endfunction()
