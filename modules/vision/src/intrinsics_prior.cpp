@@ -104,11 +104,12 @@ void set_focal(CameraPrior& prior,
     prior.intrinsics.focal_px = kGuess * std::max(photo.width, photo.height);
     prior.focal_sigma = options.focal_sigma_guess;
     prior.focal_guessed = true;
-    warnings.push_back(fmt::format(
-        "{}: no focal length in the metadata, {:.0f} px assumed; set vision.reconstruction.intrinsics.focal_px if "
-        "it is known",
-        photo.name,
-        prior.intrinsics.focal_px));
+    warnings.push_back(
+        fmt::format("{}: no focal length in the metadata, {:.0f} px assumed; set "
+                    "vision.reconstruction.intrinsics.focal_px if "
+                    "it is known",
+                    photo.name,
+                    prior.intrinsics.focal_px));
     return;
   }
   prior.intrinsics.focal_px = sources.front().focal_px;
