@@ -143,6 +143,7 @@ Expected<TriangleMesh> read_ply_mesh(const std::filesystem::path& path) {
         return std::unexpected(read.error());
       HF_TRY(PointCloud cloud, finish(reader, std::move(builder)));
       mesh.vertices = std::move(cloud.points);
+      mesh.colors = std::move(cloud.colors);
       has_vertices = true;
     } else if (element.name == "face" && has_vertices) {
       if (auto read = read_faces(reader, element, mesh); !read)

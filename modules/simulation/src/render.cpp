@@ -159,7 +159,7 @@ class Renderer {
           hits[i].distance_m / static_cast<float>(camera_.focal_px) / std::sqrt(slant);
       const Eigen::Vector3f color = surface_color(
           scene_.surfaces[id], center / members, normals[i], -directions[i], footprint);
-      sum += color.cwiseProduct(light);
+      sum += color.cwiseProduct(tint_at(scene_, hits[i])).cwiseProduct(light);
     }
     return sum;
   }

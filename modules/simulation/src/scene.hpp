@@ -52,6 +52,8 @@ struct Surface {
 struct Scene {
   std::vector<Eigen::Vector3f> vertices = {};
   std::vector<float> ambient = {};  ///< Share of the sky each vertex sees, 0..1.
+  /// Factor on the linear colour of the surface, per vertex; empty: 1 everywhere.
+  std::vector<Eigen::Vector3f> tint = {};
   std::vector<std::array<std::uint32_t, 3>> faces = {};
   std::vector<std::uint32_t> face_surface = {};
   std::vector<Surface> surfaces = {};

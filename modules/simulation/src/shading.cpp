@@ -189,6 +189,13 @@ float ambient_at(const Scene& scene, const RayHit& hit) {
          hit.v * scene.ambient[f[2]];
 }
 
+Eigen::Vector3f tint_at(const Scene& scene, const RayHit& hit) {
+  if (scene.tint.empty()) return Eigen::Vector3f::Ones();
+  const auto& f = scene.faces[hit.face];
+  return (1.0F - hit.u - hit.v) * scene.tint[f[0]] + hit.u * scene.tint[f[1]] +
+         hit.v * scene.tint[f[2]];
+}
+
 Eigen::Vector3f surface_color(const Surface& surface,
                               const Eigen::Vector3f& point,
                               const Eigen::Vector3f& normal,

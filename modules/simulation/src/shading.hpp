@@ -21,6 +21,9 @@ namespace hybridfusion {
 /// Ambient light interpolated at a hit, 0..1.
 [[nodiscard]] float ambient_at(const Scene& scene, const RayHit& hit);
 
+/// Factor on the surface's colour at a hit.
+[[nodiscard]] Eigen::Vector3f tint_at(const Scene& scene, const RayHit& hit);
+
 /// Radiance of the sky in a direction.
 [[nodiscard]] Eigen::Vector3f sky_color(const Eigen::Vector3f& direction);
 

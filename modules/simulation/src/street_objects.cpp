@@ -39,10 +39,10 @@ Eigen::Vector3d random_direction(Random& random) {
   return {r * std::cos(angle), r * std::sin(angle), z};
 }
 
-}  // namespace
+/// Above this height the sides of a car lean in to its roof.
+constexpr double kCarWaist_m = 1.2;
 
-void build_car(const GroundFrame& frame, std::uint64_t seed, float contrast, MeshBuilder& builder) {
-  Random random(seed, "world/car");
+Eigen::Vector3f car_paint(Random& random) {
   static constexpr std::array<std::array<float, 3>, 7> kPaints = {{{0.55F, 0.55F, 0.54F},
                                                                    {0.3F, 0.31F, 0.32F},
                                                                    {0.04F, 0.1F, 0.42F},
@@ -51,8 +51,72 @@ void build_car(const GroundFrame& frame, std::uint64_t seed, float contrast, Mes
                                                                    {0.05F, 0.05F, 0.06F},
                                                                    {0.35F, 0.3F, 0.2F}}};
   const auto& paint = kPaints[random.index(kPaints.size())];
-  Surface body = plain_surface(
-      Material::kCarPaint, FaceLabel::kOther, {paint[0], paint[1], paint[2]}, seed, 0.4F);
+  return {paint[0], paint[1], paint[2]};
+}
+
+/// A side profile (x forward, y up) drawn out across the car; half widths below and above the
+/// waist.
+struct CarProfile {
+  std::vector<Eigen::Vector2d> corners;
+  double low_half_m = 0.0;
+  double high_half_m = 0.0;
+
+  [[nodiscard]] Eigen::Vector3d corner(std::size_t i, double side) const {
+    const Eigen::Vector2d& p = corners[i % corners.size()];
+    return {p.x(), side * (p.y() > kCarWaist_m ? high_half_m : low_half_m), p.y()};
+  }
+};
+
+/// @param edges  Surface of the strip from each corner to the next.
+void extrude(const CarProfile& profile,
+             const GroundFrame& frame,
+             const std::vector<std::uint32_t>& edges,
+             std::uint32_t sides,
+             MeshBuilder& builder) {
+  const std::size_t count = profile.corners.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    builder.quad(frame * profile.corner(i, -1.0),
+                 frame * profile.corner(i, 1.0),
+                 frame * profile.corner(i + 1, 1.0),
+                 frame * profile.corner(i + 1, -1.0),
+                 edges[i]);
+  }
+  for (const double s : {-1.0, 1.0}) {
+    for (std::size_t i = 1; i + 1 < count; ++i) {
+      builder.triangle(frame * profile.corner(0, s),
+                       frame * profile.corner(s < 0 ? i : i + 1, s),
+                       frame * profile.corner(s < 0 ? i + 1 : i, s),
+                       sides);
+    }
+  }
+}
+
+void build_wheels(const GroundFrame& frame,
+                  double half_length_m,
+                  double half_width_m,
+                  std::uint32_t tyre,
+                  MeshBuilder& builder) {
+  constexpr double kRadius_m = 0.31;
+  constexpr double kWidth_m = 0.22;
+  for (const double x : {-half_length_m + 0.8, half_length_m - 0.85}) {
+    for (const double y : {-half_width_m, half_width_m}) {
+      const double in = y < 0 ? kWidth_m : -kWidth_m;
+      builder.tube(frame * Eigen::Vector3d(x, y + in, kRadius_m),
+                   frame * Eigen::Vector3d(x, y, kRadius_m),
+                   kRadius_m,
+                   kRadius_m,
+                   10,
+                   tyre);
+    }
+  }
+}
+
+}  // namespace
+
+void build_car(const GroundFrame& frame, std::uint64_t seed, float contrast, MeshBuilder& builder) {
+  Random random(seed, "world/car");
+  Surface body =
+      plain_surface(Material::kCarPaint, FaceLabel::kOther, car_paint(random), seed, 0.4F);
   body.contrast = contrast;
   const std::uint32_t painted = builder.add_surface(body, frame);
   const std::uint32_t glass = builder.add_surface(
@@ -65,61 +129,22 @@ void build_car(const GroundFrame& frame, std::uint64_t seed, float contrast, Mes
   const double wide = 0.5 * random.uniform(1.65, 1.82);
   const double roof = random.uniform(1.42, 1.7);
   const bool estate = random.uniform() < 0.4;
-  // Side profile of the body, front to the right, and of the cabin above it.
-  const std::vector<Eigen::Vector2d> body_profile = {{-half, 0.3},
-                                                     {half, 0.3},
-                                                     {half, 0.62},
-                                                     {half - 0.9, 0.86},
-                                                     {-half + 0.5, 0.92},
-                                                     {-half, 0.7}};
+  const CarProfile lower{.corners = {{-half, 0.3},
+                                     {half, 0.3},
+                                     {half, 0.62},
+                                     {half - 0.9, 0.86},
+                                     {-half + 0.5, 0.92},
+                                     {-half, 0.7}},
+                         .low_half_m = wide,
+                         .high_half_m = wide};
   const double rear = estate ? -half + 0.35 : -half + 0.9;
-  const std::vector<Eigen::Vector2d> cabin_profile = {
-      {rear - 0.3, 0.9}, {half - 1.1, 0.86}, {half - 1.9, roof}, {rear + 0.25, roof}};
-  const auto extrude = [&](const std::vector<Eigen::Vector2d>& profile,
-                           double y_low,
-                           double y_high,
-                           auto surface_of_edge,
-                           std::uint32_t side) {
-    for (std::size_t i = 0; i < profile.size(); ++i) {
-      const Eigen::Vector2d& a = profile[i];
-      const Eigen::Vector2d& b = profile[(i + 1) % profile.size()];
-      const double ya = a.y() > 1.2 ? y_high : y_low;
-      const double yb = b.y() > 1.2 ? y_high : y_low;
-      builder.quad(frame * Eigen::Vector3d(a.x(), -ya, a.y()),
-                   frame * Eigen::Vector3d(a.x(), ya, a.y()),
-                   frame * Eigen::Vector3d(b.x(), yb, b.y()),
-                   frame * Eigen::Vector3d(b.x(), -yb, b.y()),
-                   surface_of_edge(i));
-    }
-    for (const double s : {-1.0, 1.0}) {
-      for (std::size_t i = 1; i + 1 < profile.size(); ++i) {
-        const auto corner = [&](const Eigen::Vector2d& p) -> Eigen::Vector3d {
-          return frame * Eigen::Vector3d(p.x(), s * (p.y() > 1.2 ? y_high : y_low), p.y());
-        };
-        const std::size_t j = s < 0 ? i : i + 1;
-        const std::size_t k = s < 0 ? i + 1 : i;
-        builder.triangle(corner(profile[0]), corner(profile[j]), corner(profile[k]), side);
-      }
-    }
-  };
-  extrude(body_profile, wide, wide, [&](std::size_t) { return painted; }, painted);
-  extrude(
-      cabin_profile,
-      wide - 0.06,
-      wide - 0.22,
-      [&](std::size_t edge) { return edge == 1 || edge == 3 ? glass : painted; },
-      glass);
-  for (const double x : {-half + 0.8, half - 0.85}) {
-    for (const double y : {-wide, wide}) {
-      const double in = y < 0 ? 0.22 : -0.22;
-      builder.tube(frame * Eigen::Vector3d(x, y + in, 0.31),
-                   frame * Eigen::Vector3d(x, y, 0.31),
-                   0.31,
-                   0.31,
-                   10,
-                   tyre);
-    }
-  }
+  const CarProfile cabin{
+      .corners = {{rear - 0.3, 0.9}, {half - 1.1, 0.86}, {half - 1.9, roof}, {rear + 0.25, roof}},
+      .low_half_m = wide - 0.06,
+      .high_half_m = wide - 0.22};
+  extrude(lower, frame, std::vector(lower.corners.size(), painted), painted, builder);
+  extrude(cabin, frame, {painted, glass, painted, glass}, glass, builder);
+  build_wheels(frame, half, wide, tyre, builder);
 }
 
 void build_tree(const GroundFrame& frame,

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -34,6 +35,21 @@ Surface surface_of_label(FaceLabel label, float contrast) {
       break;
   }
   return surface;
+}
+
+/// The mesh's own colours take the place of its surfaces' colours; the grain of the surfaces stays.
+void tint_by_colors(const TriangleMesh& mesh,
+                    const std::array<std::uint32_t, 4>& surfaces,
+                    Scene& scene) {
+  for (const std::uint32_t id : surfaces) scene.surfaces[id].color = Eigen::Vector3f::Ones();
+  scene.tint.assign(scene.vertices.size(), Eigen::Vector3f::Ones());
+  constexpr float kDisplayGamma = 2.2F;
+  const auto linear = [](std::uint8_t value) {
+    return std::pow(static_cast<float>(value) / 255.0F, kDisplayGamma);
+  };
+  for (const Rgb8& color : mesh.colors) {
+    scene.tint.emplace_back(linear(color[0]), linear(color[1]), linear(color[2]));
+  }
 }
 
 }  // namespace
@@ -81,6 +97,7 @@ Expected<World> load_world(const WorldOptions& options, std::uint64_t seed) {
   }
   const Eigen::Vector3f shift(-0.5F * (low.x() + high.x()), -0.5F * (low.y() + high.y()), -low.z());
   const auto first = static_cast<std::uint32_t>(world.scene.vertices.size());
+  if (!mesh.colors.empty()) tint_by_colors(mesh, surfaces, world.scene);
   for (const Eigen::Vector3f& vertex : mesh.vertices) {
     world.scene.vertices.push_back(vertex + shift);
   }
