@@ -1,0 +1,48 @@
+#pragma once
+
+#include "pair_scene.hpp"
+
+#include <hybridfusion/core/rigid3.hpp>
+#include <hybridfusion/evaluation/registration_error.hpp>
+#include <hybridfusion/registration/register_cross_source.hpp>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hybridfusion::benchmark {
+
+/// A kind of pair.
+struct CaseGroup {
+  std::string_view name;
+  std::string_view text;
+  bool must_refuse = false;
+  double offset_m = 30.0;  ///< Horizontal error of the start.
+  double yaw_deg = 180.0;  ///< Heading error of the start; 180: any heading.
+  double crop_m = 0.0;     ///< LiDAR within this radius of one place of the drive; 0: all of it.
+  bool nadir_only = false;
+  double scale = 1.0;  ///< Of the vision cloud.
+  double drift = 0.0;  ///< Of the LiDAR map, metres per metre driven.
+  double noise = 1.0;
+  int keep_every = 1;  ///< Thinning of the vision cloud.
+};
+
+/// All groups, in the order of the table.
+[[nodiscard]] const std::vector<CaseGroup>& case_groups();
+
+/// Two clouds and what is true about them.
+struct RegistrationPair {
+  PointCloud vision = {};
+  PointCloud lidar = {};
+  RegistrationInput input = {};
+  SceneTruth truth = {};  ///< Meaningless for pairs that must be refused.
+};
+
+/// The pair of a group on the scene of a seed; the LiDAR frame is turned, shifted and tilted by
+/// random amounts, and so is the start.
+[[nodiscard]] Expected<RegistrationPair> make_pair(const CaseGroup& group,
+                                                   std::uint64_t seed,
+                                                   SceneCache& scenes,
+                                                   const RunContext& ctx);
+
+}  // namespace hybridfusion::benchmark
