@@ -64,6 +64,12 @@ inline constexpr std::string_view kSimulationPrefix = "simulation.";
 /// Rows of the option reference for the simulator.
 [[nodiscard]] std::string simulation_reference();
 
+/// What --bag takes.
+inline constexpr const char* kRecordingHelp =
+    "Recording of LiDAR, IMU and GNSS: ROS 1 .bag, ROS 2 bag folder, .db3 or .mcap, one of these "
+    "as "
+    ".zst, or a folder of .pcd scans with imu.csv";
+
 /// The end of every --help: an example and the options common to all commands.
 [[nodiscard]] std::string help_footer(const std::string& example);
 

@@ -1,8 +1,14 @@
 #include "cli.hpp"
 
+#include <hybridfusion/io/kitti.hpp>
 #include <hybridfusion/io/point_cloud_file.hpp>
+#include <hybridfusion/io/surface_raster.hpp>
+#include <hybridfusion/io/tum.hpp>
+#include <hybridfusion/pipeline/workspace.hpp>
 
+#include <filesystem>
 #include <memory>
+#include <optional>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -11,25 +17,166 @@
 namespace hybridfusion::cli {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 struct ConvertArguments {
   std::string in = {};
   std::string out = {};
+  std::string times = {};
+  std::string dsm = {};
+  std::string ortho = {};
+  std::string origin = {};
+  std::string crs = {};
+  SurfaceRasterOptions raster = {};
 };
 
-int convert(const ConvertArguments& arguments, Session& session) {
-  const auto cloud = read_point_cloud(arguments.in);
-  if (!cloud) return report_error(session, cloud.error());
-  if (const auto written = write_point_cloud(arguments.out, *cloud); !written) {
+void print_json(const Json& json) {
+  fmt::print("{}\n", json.dump(1, ' ', false, Json::error_handler_t::replace));
+}
+
+[[nodiscard]] int wrong_usage(const Session& session, std::string message) {
+  return report_error(session, {.code = ErrorCode::kInvalidOptions, .message = std::move(message)});
+}
+
+[[nodiscard]] bool is_trajectory(const std::filesystem::path& path) {
+  return path.extension() == ".tum" || path.extension() == ".kitti";
+}
+
+Expected<Trajectory> read_trajectory(const ConvertArguments& arguments) {
+  if (std::filesystem::path(arguments.in).extension() == ".tum") return read_tum(arguments.in);
+  if (!arguments.times.empty()) return read_kitti(arguments.in, arguments.times);
+  return fail(ErrorCode::kInvalidOptions,
+              fmt::format("{}: KITTI poses have no times; give them with --times", arguments.in));
+}
+
+Expected<void> write_trajectory(const ConvertArguments& arguments, const Trajectory& trajectory) {
+  if (std::filesystem::path(arguments.out).extension() == ".tum") {
+    return write_tum(arguments.out, trajectory);
+  }
+  if (auto written = write_kitti(arguments.out, trajectory); !written) return written;
+  if (arguments.times.empty()) return {};
+  return write_kitti_times(arguments.times, trajectory);
+}
+
+int convert_trajectory(const ConvertArguments& arguments, Session& session) {
+  if (!is_trajectory(arguments.out)) {
+    return wrong_usage(session, "trajectories are written to .tum and .kitti");
+  }
+  const auto trajectory = read_trajectory(arguments);
+  if (!trajectory) return report_error(session, trajectory.error());
+  if (const auto written = write_trajectory(arguments, *trajectory); !written) {
     return report_error(session, written.error());
   }
   if (session.globals.json) {
-    const nlohmann::ordered_json json = {
-        {"status", "ok"}, {"num_points", cloud->size()}, {"output", arguments.out}};
-    fmt::print("{}\n", json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace));
+    print_json(
+        {{"status", "ok"}, {"num_poses", trajectory->poses.size()}, {"output", arguments.out}});
   } else {
-    fmt::print("{}: {} points\n", arguments.out, cloud->size());
+    fmt::print("{}: {} poses\n", arguments.out, trajectory->poses.size());
   }
   return kDone;
+}
+
+/// origin.json as given, or that of the workspace in which the cloud lies.
+[[nodiscard]] std::optional<std::filesystem::path> find_origin(const ConvertArguments& arguments) {
+  if (!arguments.origin.empty()) return arguments.origin;
+  if (arguments.crs.empty() && arguments.dsm.empty() && arguments.ortho.empty()) return {};
+  // vision/ and fused/ are in the plane at the origin; lidar/map.ply has a frame of its own.
+  const auto folder = std::filesystem::absolute(arguments.in).parent_path();
+  const bool is_fused =
+      folder.filename() == std::filesystem::path(workspace_file::kFusedPly).parent_path();
+  const auto origin = is_fused ? folder.parent_path() / workspace_file::kOrigin
+                               : folder / std::filesystem::path(workspace_file::kOrigin).filename();
+  std::error_code code;
+  if (std::filesystem::is_regular_file(origin, code)) return origin;
+  return std::nullopt;
+}
+
+Expected<PlacedCloud> placed_cloud(const ConvertArguments& arguments) {
+  HF_TRY(PlacedCloud placed, read_placed_cloud(arguments.in));
+  const auto origin_path = find_origin(arguments);
+  if (!origin_path) {
+    if (arguments.crs.empty()) return placed;
+    return fail(
+        ErrorCode::kInvalidOptions,
+        fmt::format("{}: --crs needs to know where the cloud lies; give --origin", arguments.in));
+  }
+  if (!placed.offset_m.isZero() || !placed.crs.name.empty()) {
+    if (arguments.origin.empty() && arguments.crs.empty()) return placed;
+    return fail(ErrorCode::kInvalidOptions,
+                fmt::format("{}: the cloud is in a coordinate system already ({}); --origin and "
+                            "--crs are for clouds in metres east, north, up",
+                            arguments.in,
+                            placed.crs.name.empty() ? "large coordinates" : placed.crs.name));
+  }
+  HF_TRY(const GeodeticOrigin origin, read_origin(*origin_path));
+  return project_cloud(std::move(placed.cloud), {.origin = origin, .crs = arguments.crs});
+}
+
+Expected<void> write_rasters(const ConvertArguments& arguments, const PlacedCloud& placed) {
+  if (arguments.dsm.empty() && arguments.ortho.empty()) return {};
+  HF_TRY(const SurfaceRaster raster, make_surface_raster(placed, arguments.raster));
+  if (!arguments.dsm.empty()) {
+    if (auto written = write_dsm(arguments.dsm, raster); !written) return written;
+  }
+  if (arguments.ortho.empty()) return {};
+  return write_orthophoto(arguments.ortho, raster);
+}
+
+void print_result(const ConvertArguments& arguments,
+                  const PlacedCloud& placed,
+                  bool offset_kept,
+                  const Session& session) {
+  const Eigen::Vector3d& offset_m = placed.offset_m;
+  if (session.globals.json) {
+    Json json = {{"status", "ok"}, {"num_points", placed.cloud.size()}};
+    if (!arguments.out.empty()) json["output"] = arguments.out;
+    if (!arguments.dsm.empty()) json["dsm"] = arguments.dsm;
+    if (!arguments.ortho.empty()) json["ortho"] = arguments.ortho;
+    if (!placed.crs.name.empty()) json["crs"] = placed.crs.name;
+    if (!offset_kept) json["subtracted_m"] = {offset_m.x(), offset_m.y(), offset_m.z()};
+    print_json(json);
+    return;
+  }
+  for (const std::string& file : {arguments.out, arguments.dsm, arguments.ortho}) {
+    if (file.empty()) continue;
+    fmt::print("{}: {} points{}{}\n",
+               file,
+               placed.cloud.size(),
+               placed.crs.name.empty() ? "" : ", ",
+               placed.crs.name);
+  }
+  if (!offset_kept) {
+    fmt::print("{}: ({}, {}, {}) m were subtracted from the coordinates\n",
+               arguments.out,
+               offset_m.x(),
+               offset_m.y(),
+               offset_m.z());
+  }
+}
+
+int convert_cloud(const ConvertArguments& arguments, Session& session) {
+  if (arguments.out.empty() && arguments.dsm.empty() && arguments.ortho.empty()) {
+    return wrong_usage(session, "nothing to write: give OUT, --dsm or --ortho");
+  }
+  const auto placed = placed_cloud(arguments);
+  if (!placed) return report_error(session, placed.error());
+  for (const std::string& warning : placed->warnings) session.context.warn(warning);
+  bool offset_kept = true;
+  if (!arguments.out.empty()) {
+    const auto kept = write_placed_cloud(arguments.out, *placed);
+    if (!kept) return report_error(session, kept.error());
+    offset_kept = *kept;
+  }
+  if (const auto written = write_rasters(arguments, *placed); !written) {
+    return report_error(session, written.error());
+  }
+  print_result(arguments, *placed, offset_kept, session);
+  return kDone;
+}
+
+int convert(const ConvertArguments& arguments, Session& session) {
+  return is_trajectory(arguments.in) ? convert_trajectory(arguments, session)
+                                     : convert_cloud(arguments, session);
 }
 
 }  // namespace
@@ -37,12 +184,29 @@ int convert(const ConvertArguments& arguments, Session& session) {
 void add_convert_command(CLI::App& app, Command& chosen) {
   CLI::App* command = app.add_subcommand(
       "convert",
-      "Point cloud formats by extension: reads .ply .pcd .xyz .txt .csv .pts, writes .ply .pcd "
-      ".xyz .las.");
+      "Formats by extension. Clouds: reads .ply .pcd .las .xyz .txt .csv .pts, writes .ply .pcd "
+      ".xyz .las; of .ply and .pcd, coordinates of 10 km and more are taken relative to whole "
+      "kilometres. Trajectories: .tum and .kitti. Maps from above: --dsm and --ortho.");
   auto arguments = std::make_shared<ConvertArguments>();
-  command->add_option("in", arguments->in, "Cloud to read")->required();
-  command->add_option("out", arguments->out, "Cloud to write")->required();
-  command->footer(help_footer("hybridfusion convert cloud.pcd cloud.ply"));
+  command->add_option("in", arguments->in, "Cloud or trajectory to read")->required();
+  command->add_option("out", arguments->out, "Cloud or trajectory to write");
+  command->add_option("--dsm", arguments->dsm, "GeoTIFF of the surface height to write");
+  command->add_option("--ortho", arguments->ortho, "GeoTIFF of the colours to write");
+  command->add_option("--cell-m", arguments->raster.cell_m, "Cell of these [m]")
+      ->capture_default_str()
+      ->check(CLI::Range(0.001, 1000.0));
+  command->add_option("--origin",
+                      arguments->origin,
+                      "origin.json of a cloud in metres east, north, up, which is then projected "
+                      "(for --crs, --dsm and --ortho default: that of its workspace)");
+  command->add_option("--crs",
+                      arguments->crs,
+                      "Projected system, EPSG:n or EPSG:n+m (default: UTM zone of the origin, "
+                      "ellipsoidal heights)");
+  command->add_option(
+      "--times", arguments->times, "Times of the .kitti poses, one on each line, read or written");
+  command->footer(
+      help_footer("hybridfusion convert result/fused/fused.ply --dsm dsm.tif --ortho ortho.tif"));
   command->callback([arguments, &chosen] {
     chosen = [arguments](Session& session) { return convert(*arguments, session); };
   });

@@ -23,7 +23,7 @@ void add_map_command(CLI::App& app, Command& chosen) {
       "Module B: LiDAR + IMU (+ GNSS) recording -> trajectory and map. Writes OUTPUT/lidar: "
       "trajectory.tum, map.ply, quality.csv and, with GNSS, gnss.json.");
   auto arguments = std::make_shared<MapArguments>();
-  command->add_option("--bag", arguments->bag, "ROS 1 bag with LiDAR and IMU")->required();
+  command->add_option("--bag", arguments->bag, kRecordingHelp)->required();
   command->add_option("--output", arguments->output, "Workspace folder")->required();
   command->add_option(
       "--sensors", arguments->sensors, "sensors.yaml (default: the one beside the bag)");

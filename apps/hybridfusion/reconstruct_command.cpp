@@ -1,6 +1,8 @@
 #include "cli.hpp"
 
+#include <filesystem>
 #include <memory>
+#include <optional>
 
 #include <CLI/CLI.hpp>
 
@@ -10,6 +12,7 @@ namespace {
 struct ReconstructArguments {
   std::string images = {};
   std::string output = {};
+  std::string poses = {};
 };
 
 }  // namespace
@@ -22,11 +25,19 @@ void add_reconstruct_command(CLI::App& app, Command& chosen) {
   auto arguments = std::make_shared<ReconstructArguments>();
   command->add_option("--images", arguments->images, "Folder of JPEG photos with GNSS")->required();
   command->add_option("--output", arguments->output, "Workspace folder")->required();
+  command->add_option("--poses",
+                      arguments->poses,
+                      "Folder of a COLMAP text model (cameras.txt, images.txt, points3D.txt) whose "
+                      "poses are used as they are; placed by the photos' GNSS, or by origin.json "
+                      "beside it when it is in metres east, north, up");
   command->footer(help_footer("hybridfusion reconstruct --images flight/ --output result/"));
   command->callback([arguments, &chosen] {
     chosen = [arguments](Session& session) {
+      std::optional<std::filesystem::path> poses;
+      if (!arguments->poses.empty()) poses = arguments->poses;
       return run_stages(session, arguments->output, {}, {[&](Project& project) {
-                          return reconstruct_stage(project, arguments->images, session.context);
+                          return reconstruct_stage(
+                              project, arguments->images, session.context, poses);
                         }});
     };
   });

@@ -60,7 +60,7 @@ void add_run_command(CLI::App& app, Command& chosen) {
       "report on one workspace. Stages whose inputs and options did not change are not run again.");
   auto arguments = std::make_shared<RunArguments>();
   command->add_option("--images", arguments->images, "Folder of JPEG photos with GNSS")->required();
-  command->add_option("--bag", arguments->bag, "ROS 1 bag with LiDAR, IMU and GNSS")->required();
+  command->add_option("--bag", arguments->bag, kRecordingHelp)->required();
   command->add_option("--output", arguments->output, "Workspace folder")->required();
   command->add_option(
       "--sensors", arguments->sensors, "sensors.yaml (default: the one beside the bag)");

@@ -194,6 +194,33 @@ TEST_F(Chain, LeavesDamagedPhotosOutAndGoesOn) {
        {"cameras.txt", "images.txt", "points3D.txt", "dense.ply", "origin.json"}) {
     EXPECT_TRUE(std::filesystem::exists(folder_ / "ws/vision" / file)) << file;
   }
+
+  // With the poses just found, only the dense cloud is made again, and it is the same.
+  const ProgramResult posed = run_program({"reconstruct",
+                                           "--images",
+                                           path("images"),
+                                           "--poses",
+                                           path("ws/vision"),
+                                           "--output",
+                                           path("posed"),
+                                           "--set",
+                                           "vision.densify.max_size_px=500"});
+  ASSERT_EQ(posed.exit_code, 0) << posed.err;
+  const auto dense = read_ply(path("ws/vision/dense.ply"));
+  const auto again = read_ply(path("posed/vision/dense.ply"));
+  ASSERT_TRUE(dense && again);
+  EXPECT_NEAR(static_cast<double>(again->size()) / static_cast<double>(dense->size()), 1.0, 0.02);
+  std::size_t near = 0;
+  std::size_t checked = 0;
+  for (std::size_t i = 0; i < again->size(); i += again->size() / 200 + 1) {
+    float nearest_m = 1e9F;
+    for (const Eigen::Vector3f& point : dense->points) {
+      nearest_m = std::min(nearest_m, (point - again->points[i]).norm());
+    }
+    ++checked;
+    near += nearest_m < 0.05F ? 1 : 0;
+  }
+  EXPECT_GE(near, checked * 95 / 100);
 }
 
 }  // namespace

@@ -96,5 +96,54 @@ TEST_F(CommandLine, ConvertKeepsThePoints) {
   EXPECT_EQ(run_program({"convert", xyz, path("f.docx")}).exit_code, 2);
 }
 
+TEST_F(CommandLine, ConvertPlacesACloudAndDrawsItFromAbove) {
+  const std::string origin = write("vision/origin.json",
+                                   R"({"latitude_deg": 48.0, "longitude_deg": 9.0,
+                                       "altitude_m": 500.0, "datum": "WGS84"})");
+  std::string points;
+  for (int i = 0; i < 400; ++i) {
+    points += std::to_string(i % 20) + " " + std::to_string(i / 20) + " 2 10 200 30\n";
+  }
+  const std::string cloud = write("vision/dense.xyz", points);
+  const ProgramResult drawn = run_program({"convert",
+                                           cloud,
+                                           "--dsm",
+                                           path("dsm.tif"),
+                                           "--ortho",
+                                           path("ortho.tif"),
+                                           "--cell-m",
+                                           "0.5",
+                                           "--json"});
+  ASSERT_EQ(drawn.exit_code, 0) << drawn.err;
+  EXPECT_EQ(nlohmann::json::parse(drawn.out).at("crs"), "WGS 84 / UTM zone 32N");
+  EXPECT_EQ(read_file(path("dsm.tif")).substr(0, 2), "II");
+  EXPECT_EQ(read_file(path("ortho.tif")).substr(0, 2), "II");
+  const ProgramResult utm =
+      run_program({"convert", cloud, path("utm.las"), "--origin", origin, "--json"});
+  ASSERT_EQ(utm.exit_code, 0) << utm.err;
+  const ProgramResult local =
+      run_program({"convert", path("utm.las"), path("local.ply"), "--json"});
+  ASSERT_EQ(local.exit_code, 0) << local.err;
+  EXPECT_EQ(nlohmann::json::parse(local.out).at("subtracted_m").at(0), 500000.0);
+  EXPECT_EQ(run_program({"convert", cloud}).exit_code, 2);
+  EXPECT_EQ(run_program({"convert", cloud, path("x.las"), "--crs", "EPSG:4326"}).exit_code, 2);
+  EXPECT_EQ(
+      run_program({"convert", path("utm.las"), path("x.las"), "--crs", "EPSG:32633"}).exit_code, 2);
+}
+
+TEST_F(CommandLine, ConvertCarriesTrajectoriesBothWays) {
+  const std::string tum = write("a.tum", "1.5 1 2 3 0 0 0 1\n2.25 4 5 6 0 0 0.6 0.8\n");
+  const ProgramResult there =
+      run_program({"convert", tum, path("a.kitti"), "--times", path("times.txt")});
+  ASSERT_EQ(there.exit_code, 0) << there.err;
+  EXPECT_EQ(read_file(path("times.txt")), "1.500000000\n2.250000000\n");
+  const ProgramResult back =
+      run_program({"convert", path("a.kitti"), path("b.tum"), "--times", path("times.txt")});
+  ASSERT_EQ(back.exit_code, 0) << back.err;
+  EXPECT_THAT(read_file(path("b.tum")), HasSubstr("2.250000000 4.000000 5.000000 6.000000"));
+  EXPECT_EQ(run_program({"convert", path("a.kitti"), path("c.tum")}).exit_code, 2);
+  EXPECT_EQ(run_program({"convert", tum, path("c.ply")}).exit_code, 2);
+}
+
 }  // namespace
 }  // namespace hybridfusion::testing

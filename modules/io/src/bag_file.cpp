@@ -17,22 +17,15 @@ constexpr std::size_t kMaxWarnings = 50;
 
 /// What a file is that is not a ROS 1 bag 2.0, with the way out.
 [[nodiscard]] std::pair<std::string_view, std::string_view> describe_other(std::string_view start) {
-  if (start.starts_with("\x89MCAP")) {
-    return {"an MCAP recording, not a ROS 1 bag", "convert it to a ROS 1 bag (rosbags-convert)"};
-  }
-  if (start.starts_with("SQLite format 3")) {
-    return {"a ROS 2 (SQLite) recording, not a ROS 1 bag",
-            "convert it to a ROS 1 bag (rosbags-convert)"};
-  }
-  if (start.starts_with("\x28\xb5\x2f\xfd")) {
-    return {"compressed with zstd", "unpack it first (zstd -d)"};
-  }
   if (start.starts_with("\x1f\x8b")) return {"compressed with gzip", "unpack it first (gunzip)"};
   if (start.starts_with("BZh")) return {"compressed with bzip2", "unpack it first (bunzip2)"};
   if (start.starts_with("#ROSBAG") || start.starts_with("#ROSRECORD")) {
     return {"a bag of an older format than 2.0", "convert it with 'rosbag fix'"};
   }
-  return {"not a ROS 1 bag (it does not start with '#ROSBAG V2.0')", "give a ROS 1 bag recording"};
+  return {
+      "not a ROS 1 bag (it does not start with '#ROSBAG V2.0'), nor a ROS 2 bag (.db3, .mcap), "
+      "nor one of these compressed with zstd",
+      "give a recording of LiDAR and IMU"};
 }
 
 /// Messages by connection id.
@@ -48,8 +41,9 @@ void add_counts(std::span<const std::byte> chunk_info, Counts& counts) {
 
 }  // namespace
 
-Expected<BagFile> BagFile::open(const std::filesystem::path& path) {
-  HF_TRY(InputFile file, InputFile::open(path));
+Expected<BagFile> BagFile::open(const std::filesystem::path& path,
+                                const std::filesystem::path& name) {
+  HF_TRY(InputFile file, InputFile::open(path, name));
   constexpr std::uint64_t kLongestMagic = 16;
   HF_TRY(const auto first, file.take(std::min(file.size(), kLongestMagic)));
   const std::string_view start(reinterpret_cast<const char*>(first.data()), first.size());

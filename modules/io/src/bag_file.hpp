@@ -17,7 +17,8 @@ class BagFile {
     Timestamp start{};           ///< Earliest message.
   };
 
-  [[nodiscard]] static Expected<BagFile> open(const std::filesystem::path& path);
+  [[nodiscard]] static Expected<BagFile> open(const std::filesystem::path& path,
+                                              const std::filesystem::path& name);
 
   [[nodiscard]] bool has_index() const { return !chunks_.empty(); }
   /// From the index, in file order.

@@ -44,6 +44,7 @@ class ByteReader {
       : bytes_(bytes), order_(order) {}
 
   [[nodiscard]] bool failed() const { return failed_; }
+  [[nodiscard]] std::endian order() const { return order_; }
   [[nodiscard]] std::size_t position() const { return position_; }
   [[nodiscard]] std::size_t remaining() const { return bytes_.size() - position_; }
 

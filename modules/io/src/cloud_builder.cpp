@@ -11,9 +11,6 @@
 namespace hybridfusion {
 namespace {
 
-// A float in a local frame of +-80 km rounds by at most 4 mm.
-constexpr double kMaxRounding_m = 0.005;
-
 [[nodiscard]] std::string normalised(std::string_view name) {
   const std::string lower = lower_case(name);
   constexpr std::string_view kPrefix = "scalar_";
@@ -73,6 +70,14 @@ CloudBuilder::CloudBuilder(std::span<const CloudColumn> columns)
   }
 }
 
+Eigen::Vector3d whole_kilometres(const Eigen::Vector3d& point_m) {
+  constexpr double kLarge_m = 1e4;  // from here on float spacing is a millimetre
+  constexpr double kStep_m = 1000.0;
+  return point_m.unaryExpr([](double value) {
+    return std::abs(value) < kLarge_m ? 0.0 : kStep_m * std::floor(value / kStep_m);
+  });
+}
+
 bool CloudBuilder::has_coordinates() const {
   return complete(position_);
 }
@@ -103,11 +108,16 @@ void CloudBuilder::add_color(std::span<const double> row) {
 
 bool CloudBuilder::add(std::span<const double> row) {
   const Eigen::Vector3d point = gather(row, position_);
-  const Eigen::Vector3f stored = point.cast<float>();
-  if (!stored.allFinite()) return false;
-  const double rounding_m = (point - stored.cast<double>()).cwiseAbs().maxCoeff();
-  if (rounding_m > largest_rounding_m_) {
-    largest_rounding_m_ = rounding_m;
+  if (!point.cast<float>().allFinite()) return false;
+  if (cloud_.empty()) offset_m_ = whole_kilometres(point);
+  const Eigen::Vector3d local = point - offset_m_;
+  const Eigen::Vector3f stored = local.cast<float>();
+  const auto rounding_m = [](const Eigen::Vector3d& exact) {
+    return (exact - exact.cast<float>().cast<double>()).cwiseAbs().maxCoeff();
+  };
+  largest_local_rounding_m_ = std::max(largest_local_rounding_m_, rounding_m(local));
+  if (rounding_m(point) > largest_rounding_m_) {
+    largest_rounding_m_ = rounding_m(point);
     rounded_point_ = {point.x(), point.y(), point.z()};
   }
   cloud_.points.push_back(stored);
@@ -129,29 +139,49 @@ bool CloudBuilder::add(std::span<const double> row) {
   return true;
 }
 
+void CloudBuilder::finish_colors() {
+  if (floating_colors_.empty()) return;
+  float largest = 0.0F;
+  for (const Eigen::Vector3f& color : floating_colors_) {
+    largest = std::max(largest, color.maxCoeff());
+  }
+  const double full_scale = largest <= 1.0F ? 1.0 : 255.0;
+  for (const Eigen::Vector3f& color : floating_colors_) {
+    cloud_.colors.push_back({to_byte(color.x() / full_scale),
+                             to_byte(color.y() / full_scale),
+                             to_byte(color.z() / full_scale)});
+  }
+}
+
 Expected<PointCloud> CloudBuilder::finish() && {
   if (largest_rounding_m_ >= kMaxRounding_m) {
     return fail(ErrorCode::kParse,
                 fmt::format("coordinates as large as ({:.2f}, {:.2f}, {:.2f}) cannot be kept to "
-                            "better than {:.3f} m; subtract a common offset from the clouds first",
+                            "better than {:.3f} m; subtract a common offset from the clouds first "
+                            "(hybridfusion convert takes one off)",
                             rounded_point_[0],
                             rounded_point_[1],
                             rounded_point_[2],
                             largest_rounding_m_));
   }
-  if (!floating_colors_.empty()) {
-    float largest = 0.0F;
-    for (const Eigen::Vector3f& color : floating_colors_) {
-      largest = std::max(largest, color.maxCoeff());
-    }
-    const double full_scale = largest <= 1.0F ? 1.0 : 255.0;
-    for (const Eigen::Vector3f& color : floating_colors_) {
-      cloud_.colors.push_back({to_byte(color.x() / full_scale),
-                               to_byte(color.y() / full_scale),
-                               to_byte(color.z() / full_scale)});
+  finish_colors();
+  if (!offset_m_.isZero()) {
+    for (Eigen::Vector3f& point : cloud_.points) {
+      point = (point.cast<double>() + offset_m_).cast<float>();
     }
   }
   return std::move(cloud_);
+}
+
+Expected<PlacedCloud> CloudBuilder::finish_placed() && {
+  if (largest_local_rounding_m_ >= kMaxRounding_m) {
+    return fail(ErrorCode::kParse,
+                fmt::format("the points spread so far that they cannot be kept to better than "
+                            "{:.3f} m; cut the cloud into tiles first",
+                            largest_local_rounding_m_));
+  }
+  finish_colors();
+  return PlacedCloud{.cloud = std::move(cloud_), .offset_m = offset_m_};
 }
 
 }  // namespace hybridfusion

@@ -4,6 +4,7 @@
 
 #include <hybridfusion/core/error.hpp>
 #include <hybridfusion/core/point_cloud.hpp>
+#include <hybridfusion/io/placed_cloud.hpp>
 
 #include <array>
 #include <cstdint>
@@ -23,6 +24,12 @@ struct CloudColumn {
 
 [[nodiscard]] CloudColumn cloud_column(std::string_view name, ScalarType type);
 
+// A float in a local frame of +-80 km rounds by at most 4 mm.
+inline constexpr double kMaxRounding_m = 0.005;
+
+/// Whole kilometres to subtract from a cloud with this point; 0 along an axis below 10 km.
+[[nodiscard]] Eigen::Vector3d whole_kilometres(const Eigen::Vector3d& point_m);
+
 /// Turns rows of named scalars into a PointCloud. Names are compared in lower case without
 /// CloudCompare's prefix "scalar_"; columns nobody knows are ignored.
 class CloudBuilder {
@@ -36,9 +43,13 @@ class CloudBuilder {
   /// @returns kParse when coordinates are so large that float storage moved a point by 5 mm or more
   /// (UTM, ECEF): the cloud would silently lose its precision.
   [[nodiscard]] Expected<PointCloud> finish() &&;
+  /// As finish(), but coordinates of 10 km and more are taken relative to whole kilometres. kParse
+  /// only when the points spread too far for that.
+  [[nodiscard]] Expected<PlacedCloud> finish_placed() &&;
 
  private:
   void add_color(std::span<const double> row);
+  void finish_colors();
 
   std::array<int, 3> position_ = {-1, -1, -1};  ///< Column indices; -1: absent.
   std::array<int, 3> normal_ = {-1, -1, -1};
@@ -49,7 +60,9 @@ class CloudBuilder {
   int confidence_ = -1;
   int source_ = -1;
   double color_max_ = 255.0;  ///< Full scale of an integer colour; 0 for floating colours.
-  double largest_rounding_m_ = 0.0;
+  Eigen::Vector3d offset_m_ = Eigen::Vector3d::Zero();  ///< Of cloud_, while it is collected.
+  double largest_rounding_m_ = 0.0;                     ///< Without the offset.
+  double largest_local_rounding_m_ = 0.0;               ///< With the offset.
   std::array<double, 3> rounded_point_ = {};
   std::vector<Eigen::Vector3f> floating_colors_ = {};
   PointCloud cloud_ = {};

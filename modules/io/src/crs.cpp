@@ -1,6 +1,7 @@
 #include "crs.hpp"
 
-#include <hybridfusion/io/las.hpp>
+#include "cloud_builder.hpp"
+#include "text.hpp"
 
 #include <cmath>
 
@@ -10,6 +11,37 @@
 #include <ogr_spatialref.h>
 
 namespace hybridfusion {
+namespace {
+
+[[nodiscard]] CrsDescription describe(const OGRSpatialReference& system) {
+  CrsDescription crs;
+  const char* const name = system.GetName();
+  crs.name = name == nullptr ? "" : name;
+  crs.geographic = system.IsGeographic() != 0;
+  if (!crs.geographic) crs.metres_per_unit = system.GetLinearUnits();
+  char* text = nullptr;
+  if (system.exportToWkt(&text) == OGRERR_NONE && text != nullptr) crs.wkt = text;
+  CPLFree(text);
+  return crs;
+}
+
+}  // namespace
+
+CrsDescription describe_crs(const std::string& wkt) {
+  const CPLErrorHandlerPusher silent(CPLQuietErrorHandler);
+  OGRSpatialReference system;
+  if (system.importFromWkt(wkt.c_str()) != OGRERR_NONE) return {.name = "unknown", .wkt = wkt};
+  CrsDescription crs = describe(system);
+  crs.wkt = wkt;
+  return crs;
+}
+
+std::optional<CrsDescription> describe_crs(int epsg) {
+  const CPLErrorHandlerPusher silent(CPLQuietErrorHandler);
+  OGRSpatialReference system;
+  if (system.importFromEPSG(epsg) != OGRERR_NONE) return std::nullopt;
+  return describe(system);
+}
 
 struct EnuToProjected::State {
   GeodeticOrigin origin = {};
@@ -24,45 +56,84 @@ EnuToProjected::EnuToProjected(EnuToProjected&&) noexcept = default;
 EnuToProjected& EnuToProjected::operator=(EnuToProjected&&) noexcept = default;
 EnuToProjected::~EnuToProjected() = default;
 
-Expected<EnuToProjected> EnuToProjected::create(const GeodeticOrigin& origin, int epsg) {
-  constexpr int kWgs84 = 4326;
+Expected<EnuToProjected> EnuToProjected::create(const GeodeticOrigin& origin,
+                                                const std::string& crs) {
+  std::string wanted = crs;
+  if (wanted.empty()) {
+    HF_TRY(const int epsg, utm_epsg(origin));
+    wanted = fmt::format("EPSG:{}", epsg);
+  }
+  const auto refuse = [&wanted](std::string_view cause) {
+    return fail(ErrorCode::kInvalidOptions,
+                fmt::format("{}: {}; give EPSG:n or EPSG:n+m of a projected system in metres",
+                            printable(wanted),
+                            cause));
+  };
   const CPLErrorHandlerPusher silent(CPLQuietErrorHandler);  // GDAL would write to stderr
   auto state = std::make_unique<State>();
   state->origin = origin;
-  if (state->geographic.importFromEPSG(kWgs84) != OGRERR_NONE ||
-      state->projected.importFromEPSG(epsg) != OGRERR_NONE) {
-    return fail(ErrorCode::kInvalidOptions,
-                fmt::format("PROJ does not know EPSG:{}; install its database (proj-data)", epsg));
+  // Only codes: SetFromUserInput would also open files and fetch addresses.
+  const bool is_code = wanted.starts_with("EPSG:") &&
+                       wanted.find_first_not_of("0123456789+", 5) == std::string::npos;
+  if (!is_code) return refuse("not an EPSG code");
+  if (state->projected.SetFromUserInput(wanted.c_str()) != OGRERR_NONE) {
+    return refuse("PROJ does not know it (is its database, proj-data, installed?)");
+  }
+  if (state->projected.IsProjected() == 0 || state->projected.GetLinearUnits() != 1.0) {
+    return refuse("not a projected system in metres");
+  }
+  constexpr int kWgs84WithHeight = 4979;
+  constexpr int kWgs84 = 4326;
+  const bool vertical = state->projected.IsVertical() != 0;
+  if (state->geographic.importFromEPSG(vertical ? kWgs84WithHeight : kWgs84) != OGRERR_NONE) {
+    return refuse("the database of PROJ is missing");
   }
   state->geographic.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
   state->projected.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  OGRCoordinateTransformationOptions options;
+  // A "ballpark" transformation would leave ellipsoidal heights as they are, off by the geoid.
+  options.SetBallparkAllowed(false);
   state->transformation.reset(
-      OGRCreateCoordinateTransformation(&state->geographic, &state->projected));
+      OGRCreateCoordinateTransformation(&state->geographic, &state->projected, options));
   char* text = nullptr;
   const bool has_wkt = state->projected.exportToWkt(&text) == OGRERR_NONE && text != nullptr;
   if (has_wkt) state->wkt = text;
   CPLFree(text);
-  if (!state->transformation || !has_wkt) {
-    return fail(
-        ErrorCode::kInvalidOptions,
-        fmt::format("PROJ cannot convert to EPSG:{}; install its database (proj-data)", epsg));
+  if (!state->transformation || !has_wkt) return refuse("PROJ cannot convert to it");
+  EnuToProjected result(std::move(state));
+  if (auto probe = result(Eigen::Vector3d::Zero()); !probe) {
+    return refuse(vertical ? "its heights need a geoid model that is not installed (proj-data)"
+                           : "it does not cover the place of the cloud");
   }
-  return EnuToProjected(std::move(state));
+  return result;
 }
 
 Expected<Eigen::Vector3d> EnuToProjected::operator()(const Eigen::Vector3d& point_in_enu) const {
   const GeodeticPosition position = geodetic_from_enu(state_->origin, point_in_enu);
   const CPLErrorHandlerPusher silent(CPLQuietErrorHandler);
-  double x = position.longitude_deg;
-  double y = position.latitude_deg;
-  if (state_->transformation->Transform(1, &x, &y) == 0 || !std::isfinite(x) || !std::isfinite(y)) {
+  Eigen::Vector3d at(position.longitude_deg, position.latitude_deg, position.altitude_m);
+  if (state_->transformation->Transform(1, &at.x(), &at.y(), &at.z()) == 0 || !at.allFinite()) {
     return fail(
         ErrorCode::kDegenerate,
         fmt::format("({:.7f}, {:.7f}) deg cannot be projected; check the origin of the cloud",
                     position.latitude_deg,
                     position.longitude_deg));
   }
-  return Eigen::Vector3d(x, y, position.altitude_m);
+  return at;
+}
+
+Expected<PlacedCloud> project_cloud(PointCloud cloud, const Georeference& georeference) {
+  HF_TRY(const EnuToProjected projection,
+         EnuToProjected::create(georeference.origin, georeference.crs));
+  HF_TRY(const Eigen::Vector3d origin, projection(Eigen::Vector3d::Zero()));
+  PlacedCloud placed = {.cloud = std::move(cloud), .offset_m = whole_kilometres(origin)};
+  for (Eigen::Vector3f& point : placed.cloud.points) {
+    HF_TRY(const Eigen::Vector3d at, projection(point.cast<double>()));
+    point = (at - placed.offset_m).cast<float>();
+  }
+  placed.cloud.normals.clear();
+  placed.crs = describe_crs(projection.wkt());
+  return placed;
 }
 
 const std::string& EnuToProjected::wkt() const {

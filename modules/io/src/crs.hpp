@@ -2,8 +2,10 @@
 
 #include <hybridfusion/core/error.hpp>
 #include <hybridfusion/core/geodetic.hpp>
+#include <hybridfusion/io/las.hpp>
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -11,18 +13,22 @@
 
 namespace hybridfusion {
 
-/// Converts east-north-up coordinates at an origin to a projected system on WGS84 with ellipsoidal
-/// heights.
+/// Converts east-north-up coordinates at an origin to a projected system. Heights are ellipsoidal
+/// (WGS84) unless the system has a vertical part.
 class EnuToProjected {
  public:
-  /// @returns kInvalidOptions when PROJ does not know the code.
-  [[nodiscard]] static Expected<EnuToProjected> create(const GeodeticOrigin& origin, int epsg);
+  /// @param crs  "EPSG:n" or "EPSG:n+m"; empty: the UTM zone of the origin.
+  /// @returns kInvalidOptions for a system that PROJ does not know, that is not projected in metres
+  /// or whose heights need a geoid model that is not installed; kDegenerate for an origin outside
+  /// the UTM zones.
+  [[nodiscard]] static Expected<EnuToProjected> create(const GeodeticOrigin& origin,
+                                                       const std::string& crs);
 
   EnuToProjected(EnuToProjected&&) noexcept;
   EnuToProjected& operator=(EnuToProjected&&) noexcept;
   ~EnuToProjected();
 
-  /// Easting, northing, ellipsoidal height [m]. @returns kDegenerate where the projection fails.
+  /// Easting, northing, height [m]. @returns kDegenerate where the projection fails.
   [[nodiscard]] Expected<Eigen::Vector3d> operator()(const Eigen::Vector3d& point_in_enu) const;
   /// WKT 1 of the projected system, as LAS wants it.
   [[nodiscard]] const std::string& wkt() const;
@@ -32,5 +38,10 @@ class EnuToProjected {
   explicit EnuToProjected(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
 };
+
+/// What a WKT of either version says; only the name is filled when it cannot be interpreted.
+[[nodiscard]] CrsDescription describe_crs(const std::string& wkt);
+/// The system of an EPSG code; nothing when PROJ does not know it.
+[[nodiscard]] std::optional<CrsDescription> describe_crs(int epsg);
 
 }  // namespace hybridfusion

@@ -50,7 +50,8 @@ InputFile::~InputFile() {
   if (descriptor_ >= 0) ::close(descriptor_);
 }
 
-Expected<InputFile> InputFile::open(const std::filesystem::path& path) {
+Expected<InputFile> InputFile::open(const std::filesystem::path& path,
+                                    const std::filesystem::path& name) {
   // O_NONBLOCK: opening a pipe by mistake must not hang.
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (descriptor < 0) {
@@ -64,7 +65,9 @@ Expected<InputFile> InputFile::open(const std::filesystem::path& path) {
   }
   struct stat status = {};
   const bool known = ::fstat(descriptor, &status) == 0;
-  InputFile file(path, descriptor, known ? static_cast<std::uint64_t>(status.st_size) : 0);
+  InputFile file(name.empty() ? path : name,
+                 descriptor,
+                 known ? static_cast<std::uint64_t>(status.st_size) : 0);
   if (!known || !S_ISREG(status.st_mode)) {
     return file.malformed("not a regular file", "give the path of a file");
   }

@@ -17,9 +17,11 @@ namespace hybridfusion {
 /// remains of the file before memory is taken.
 class InputFile {
  public:
+  /// @param name  What messages call the file; empty: its path.
   /// @returns kNotFound for a missing file, kIo for one that cannot be read, kParse when it is
   /// empty or not a regular file.
-  [[nodiscard]] static Expected<InputFile> open(const std::filesystem::path& path);
+  [[nodiscard]] static Expected<InputFile> open(const std::filesystem::path& path,
+                                                const std::filesystem::path& name = {});
 
   InputFile(InputFile&& other) noexcept;
   InputFile& operator=(InputFile&& other) noexcept;

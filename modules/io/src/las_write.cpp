@@ -1,5 +1,6 @@
 #include "byte_reader.hpp"
 #include "crs.hpp"
+#include "las_time.hpp"
 
 #include <hybridfusion/io/atomic_file.hpp>
 #include <hybridfusion/io/las.hpp>
@@ -19,13 +20,9 @@ namespace {
 constexpr std::uint16_t kHeaderBytes = 375;
 constexpr std::uint16_t kVlrHeaderBytes = 54;
 constexpr std::uint16_t kExtraBytesDescriptor = 192;
-constexpr std::uint16_t kPointBytes = 36;  // format 7
-constexpr std::uint8_t kPointFormat = 7;
+constexpr std::uint16_t kPlainPointBytes = 30;  // format 6
+constexpr std::uint16_t kColorBytes = 6;        // more in format 7
 constexpr double kScale_m = 0.001;
-// Adjusted standard GPS time: seconds since 1980-01-06 minus 1e9; leap seconds since then.
-constexpr double kGpsEpochUnix_s = 315964800.0;
-constexpr double kGpsTimeShift_s = 1e9;
-constexpr double kLeapSeconds_s = 18.0;
 
 using ToWorld = std::function<Expected<Eigen::Vector3d>(const Eigen::Vector3f&)>;
 
@@ -104,8 +101,8 @@ void append_padded(std::string& out, std::string_view text, std::size_t bytes) {
 struct Layout {
   std::string vlrs = {};
   std::uint32_t num_vlrs = 0;
-  std::uint16_t point_bytes = kPointBytes;
-  bool has_wkt = false;
+  std::uint16_t point_bytes = kPlainPointBytes;
+  std::uint8_t point_format = 6;
 };
 
 [[nodiscard]] Layout make_layout(const PointCloud& cloud, const std::string& wkt) {
@@ -113,12 +110,15 @@ struct Layout {
   if (!wkt.empty()) {
     layout.vlrs += vlr("LASF_Projection", 2112, "OGC WKT", wkt + '\0');
     ++layout.num_vlrs;
-    layout.has_wkt = true;
+  }
+  if (!cloud.colors.empty()) {
+    layout.point_format = 7;
+    layout.point_bytes += kColorBytes;
   }
   if (!cloud.sources.empty()) {
     layout.vlrs += vlr("LASF_Spec", 4, "extra bytes", source_descriptor());
     ++layout.num_vlrs;
-    layout.point_bytes = kPointBytes + 1;
+    ++layout.point_bytes;
   }
   return layout;
 }
@@ -142,9 +142,9 @@ struct Layout {
   append_value(out, kHeaderBytes);
   append_value(out, static_cast<std::uint32_t>(kHeaderBytes + layout.vlrs.size()));
   append_value(out, layout.num_vlrs);
-  append_value(out, kPointFormat);
+  append_value(out, layout.point_format);
   append_value(out, layout.point_bytes);
-  out.append(4 + 5 * 4, '\0');  // legacy counts, unused by format 7
+  out.append(4 + 5 * 4, '\0');  // legacy counts, unused by formats 6 and 7
   for (int i = 0; i < 3; ++i) append_value(out, kScale_m);
   for (const double value : bounds.offset) append_value(out, value);
   for (int axis = 0; axis < 3; ++axis) {
@@ -168,10 +168,6 @@ struct Layout {
   return largest > kMax && std::isfinite(largest) ? kMax / largest : 1.0F;
 }
 
-[[nodiscard]] double gps_time(double unix_s) {
-  return unix_s == 0.0 ? 0.0 : unix_s - kGpsEpochUnix_s + kLeapSeconds_s - kGpsTimeShift_s;
-}
-
 void append_point(std::string& out,
                   const PointCloud& cloud,
                   std::size_t i,
@@ -188,10 +184,12 @@ void append_point(std::string& out,
   append_value(out,
                static_cast<std::uint16_t>(
                    cloud.sources.empty() ? 0 : static_cast<int>(cloud.sources[i]) + 1));
-  append_value(out, cloud.times_s.empty() ? 0.0 : gps_time(cloud.times_s[i]));
-  const Rgb8 color = cloud.colors.empty() ? Rgb8{} : cloud.colors[i];
-  for (const std::uint8_t channel : color)
-    append_value(out, static_cast<std::uint16_t>(channel * 257));
+  append_value(out, cloud.times_s.empty() ? 0.0 : las_time(cloud.times_s[i]));
+  if (!cloud.colors.empty()) {
+    for (const std::uint8_t channel : cloud.colors[i]) {
+      append_value(out, static_cast<std::uint16_t>(channel * 257));
+    }
+  }
   if (!cloud.sources.empty()) append_value(out, static_cast<std::uint8_t>(cloud.sources[i]));
 }
 
@@ -204,18 +202,18 @@ Expected<void> write_las(const std::filesystem::path& path,
   if (cloud.empty()) {
     return fail(ErrorCode::kInsufficient, fmt::format("{}: no points to write", path.string()));
   }
+  HF_CHECK(!options.georeference || (options.wkt.empty() && options.offset_m.isZero()));
   std::optional<EnuToProjected> projection;
   if (options.georeference) {
-    HF_TRY(const int epsg, utm_epsg(options.georeference->origin));
-    HF_TRY(projection, EnuToProjected::create(options.georeference->origin, epsg));
+    HF_TRY(projection,
+           EnuToProjected::create(options.georeference->origin, options.georeference->crs));
   }
-  const ToWorld to_world =
-      [&projection](const Eigen::Vector3f& point) -> Expected<Eigen::Vector3d> {
-    if (!projection) return Eigen::Vector3d(point.cast<double>());
+  const ToWorld to_world = [&](const Eigen::Vector3f& point) -> Expected<Eigen::Vector3d> {
+    if (!projection) return Eigen::Vector3d(point.cast<double>() + options.offset_m);
     return (*projection)(point.cast<double>());
   };
   HF_TRY(const Bounds bounds, measure(cloud, to_world));
-  const Layout layout = make_layout(cloud, projection ? projection->wkt() : std::string());
+  const Layout layout = make_layout(cloud, projection ? projection->wkt() : options.wkt);
   HF_TRY(AtomicFile file, AtomicFile::create(path));
   file.write(header(cloud, layout, bounds));
   file.write(layout.vlrs);

@@ -1,8 +1,7 @@
 #include "byte_reader.hpp"
-#include "cloud_builder.hpp"
-#include "input_file.hpp"
 #include "lzf.hpp"
-#include "pcd_header.hpp"
+#include "pcd_rows.hpp"
+#include "placed_readers.hpp"
 #include "text.hpp"
 
 #include <hybridfusion/io/pcd.hpp>
@@ -18,13 +17,12 @@ namespace {
 
 constexpr std::string_view kAgain = "export the cloud again";
 
-/// Turns the values of a point into the rows of a CloudBuilder: arrays are left out, a packed
-/// colour becomes three columns.
+/// Collects the values of a point and hands them on as a row.
 class RowBuilder {
  public:
-  explicit RowBuilder(const PcdHeader& header) : builder_(columns_of(header)) {}
+  explicit RowBuilder(const PcdSink& sink) : sink_(sink) {}
 
-  [[nodiscard]] CloudBuilder& builder() { return builder_; }
+  void reserve(std::uint64_t points) { sink_.reserve(points); }
   void begin() { row_.clear(); }
   void add(const PcdField& field, double value) {
     if (field.count == 1) row_.push_back(value);
@@ -32,25 +30,10 @@ class RowBuilder {
   void add_color(std::uint32_t argb) {
     for (const unsigned shift : {16U, 8U, 0U}) row_.push_back((argb >> shift) & 0xffU);
   }
-  /// Points without a position ("no return" in organised clouds) are dropped.
-  void end() { static_cast<void>(builder_.add(row_)); }
+  void end() { sink_.row(row_); }
 
  private:
-  [[nodiscard]] static std::vector<CloudColumn> columns_of(const PcdHeader& header) {
-    std::vector<CloudColumn> columns;
-    for (const PcdField& field : header.fields) {
-      if (field.packed_color) {
-        for (const char* const name : {"red", "green", "blue"}) {
-          columns.push_back(cloud_column(name, ScalarType::kUint8));
-        }
-      } else if (field.count == 1) {
-        columns.push_back(cloud_column(field.name, field.type));
-      }
-    }
-    return columns;
-  }
-
-  CloudBuilder builder_;
+  const PcdSink& sink_;
   std::vector<double> row_ = {};
 };
 
@@ -66,7 +49,7 @@ Expected<void> read_ascii(InputFile& file, const PcdHeader& header, RowBuilder& 
   std::size_t values = 0;
   for (const PcdField& field : header.fields) values += field.count;
   if (header.points > (file.remaining() + 1) / (2 * values)) return too_few_bytes(file, header);
-  rows.builder().reserve(header.points);
+  rows.reserve(header.points);
   for (std::uint64_t i = 0; i < header.points; ++i) {
     rows.begin();
     for (const PcdField& field : header.fields) {
@@ -120,7 +103,7 @@ void add_points(std::span<const std::byte> bytes,
 Expected<void> read_binary(InputFile& file, const PcdHeader& header, RowBuilder& rows) {
   const std::size_t stride = header.point_bytes();
   if (header.points > file.remaining() / stride) return too_few_bytes(file, header);
-  rows.builder().reserve(header.points);
+  rows.reserve(header.points);
   std::vector<std::size_t> offsets;
   std::size_t offset = 0;
   for (const PcdField& field : header.fields) {
@@ -152,7 +135,7 @@ Expected<void> read_compressed(InputFile& file, const PcdHeader& header, RowBuil
   const auto bytes = lzf_unpack(packed, unpacked_bytes);
   if (!bytes)
     return file.malformed("the compressed data are damaged", "copy or export the file again");
-  rows.builder().reserve(header.points);
+  rows.reserve(header.points);
   std::vector<std::size_t> offsets;
   std::size_t offset = 0;
   for (const PcdField& field : header.fields) {
@@ -174,17 +157,52 @@ Expected<void> read_data(InputFile& file, const PcdHeader& header, RowBuilder& r
 
 }  // namespace
 
-Expected<PointCloud> read_pcd(const std::filesystem::path& path) {
+std::vector<CloudColumn> pcd_columns(const PcdHeader& header) {
+  std::vector<CloudColumn> columns;
+  for (const PcdField& field : header.fields) {
+    if (field.packed_color) {
+      for (const char* const name : {"red", "green", "blue"}) {
+        columns.push_back(cloud_column(name, ScalarType::kUint8));
+      }
+    } else if (field.count == 1) {
+      columns.push_back(cloud_column(field.name, field.type));
+    }
+  }
+  return columns;
+}
+
+Expected<void> read_pcd_rows(InputFile& file, const PcdHeader& header, const PcdSink& sink) {
+  RowBuilder rows(sink);
+  return read_data(file, header, rows);
+}
+
+namespace {
+
+Expected<CloudBuilder> build_pcd(const std::filesystem::path& path) {
   HF_TRY(InputFile file, InputFile::open(path));
   HF_TRY(const PcdHeader header, read_pcd_header(file));
-  RowBuilder rows(header);
-  if (!rows.builder().has_coordinates()) {
+  CloudBuilder builder(pcd_columns(header));
+  if (!builder.has_coordinates()) {
     return file.malformed("the points have no x, y and z", "give a file with points");
   }
-  if (auto read = read_data(file, header, rows); !read) return std::unexpected(read.error());
-  auto cloud = std::move(rows.builder()).finish();
-  if (!cloud) return std::unexpected(std::move(cloud.error()).with_context(path.string()));
-  return cloud;
+  // Points without a position ("no return" in organised clouds) are dropped.
+  const PcdSink sink = {
+      .reserve = [&builder](std::uint64_t points) { builder.reserve(points); },
+      .row = [&builder](std::span<const double> row) { static_cast<void>(builder.add(row)); }};
+  if (auto read = read_pcd_rows(file, header, sink); !read) return std::unexpected(read.error());
+  return builder;
+}
+
+}  // namespace
+
+Expected<PointCloud> read_pcd(const std::filesystem::path& path) {
+  HF_TRY(CloudBuilder builder, build_pcd(path));
+  return finished(path, std::move(builder).finish());
+}
+
+Expected<PlacedCloud> read_placed_pcd(const std::filesystem::path& path) {
+  HF_TRY(CloudBuilder builder, build_pcd(path));
+  return finished(path, std::move(builder).finish_placed());
 }
 
 }  // namespace hybridfusion

@@ -1,4 +1,4 @@
-#include "cloud_builder.hpp"
+#include "placed_readers.hpp"
 #include "ply_format.hpp"
 
 #include <hybridfusion/io/atomic_file.hpp>
@@ -65,11 +65,13 @@ Expected<void> read_vertices(PlyReader& reader, const PlyElement& element, Cloud
   return CloudBuilder(columns);
 }
 
-Expected<PointCloud> finish(const PlyReader& reader, CloudBuilder builder) {
-  auto cloud = std::move(builder).finish();
-  if (!cloud)
-    return std::unexpected(std::move(cloud.error()).with_context(reader.file().path().string()));
-  return cloud;
+Expected<CloudBuilder> build_ply(const std::filesystem::path& path) {
+  HF_TRY(PlyReader reader, PlyReader::open(path));
+  HF_TRY(const PlyElement* vertices, advance_to(reader, "vertex"));
+  CloudBuilder builder = builder_for(*vertices);
+  if (auto read = read_vertices(reader, *vertices, builder); !read)
+    return std::unexpected(read.error());
+  return builder;
 }
 
 [[nodiscard]] int property_index(const PlyElement& element,
@@ -124,12 +126,13 @@ const std::vector<double>* PlyTable::find(std::string_view name) const {
 }
 
 Expected<PointCloud> read_ply(const std::filesystem::path& path) {
-  HF_TRY(PlyReader reader, PlyReader::open(path));
-  HF_TRY(const PlyElement* vertices, advance_to(reader, "vertex"));
-  CloudBuilder builder = builder_for(*vertices);
-  if (auto read = read_vertices(reader, *vertices, builder); !read)
-    return std::unexpected(read.error());
-  return finish(reader, std::move(builder));
+  HF_TRY(CloudBuilder builder, build_ply(path));
+  return finished(path, std::move(builder).finish());
+}
+
+Expected<PlacedCloud> read_placed_ply(const std::filesystem::path& path) {
+  HF_TRY(CloudBuilder builder, build_ply(path));
+  return finished(path, std::move(builder).finish_placed());
 }
 
 Expected<TriangleMesh> read_ply_mesh(const std::filesystem::path& path) {
@@ -141,7 +144,7 @@ Expected<TriangleMesh> read_ply_mesh(const std::filesystem::path& path) {
       CloudBuilder builder = builder_for(element);
       if (auto read = read_vertices(reader, element, builder); !read)
         return std::unexpected(read.error());
-      HF_TRY(PointCloud cloud, finish(reader, std::move(builder)));
+      HF_TRY(PointCloud cloud, finished(path, std::move(builder).finish()));
       mesh.vertices = std::move(cloud.points);
       mesh.colors = std::move(cloud.colors);
       has_vertices = true;

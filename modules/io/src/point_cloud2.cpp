@@ -1,4 +1,3 @@
-#include "byte_reader.hpp"
 #include "point_time.hpp"
 #include "ros_message.hpp"
 #include "text.hpp"
@@ -76,8 +75,8 @@ Expected<void> check_layout(const PointCloud2& cloud) {
   return {};
 }
 
-Expected<PointCloud2> parse(std::span<const std::byte> message) {
-  ByteReader reader(message);
+Expected<PointCloud2> parse(std::span<const std::byte> message, RosWire wire) {
+  RosReader reader(message, wire);
   PointCloud2 cloud;
   cloud.stamp = read_ros_header(reader);
   cloud.height = reader.read<std::uint32_t>();
@@ -89,7 +88,7 @@ Expected<PointCloud2> parse(std::span<const std::byte> message) {
     field.name = reader.read_string();
     field.offset = reader.read<std::uint32_t>();
     const auto datatype = reader.read<std::uint8_t>();
-    reader.skip(sizeof(std::uint32_t));          // count: we read the first element of an array
+    reader.skip<std::uint32_t>();                // count: we read the first element of an array
     if (datatype < 1 || datatype > 8) continue;  // a type of a driver's own is none of ours
     field.type = static_cast<ScalarType>(datatype - 1);
     cloud.fields.push_back(std::move(field));
@@ -157,8 +156,9 @@ ScanDecoder::ScanDecoder(ScanDecoder&&) noexcept = default;
 ScanDecoder& ScanDecoder::operator=(ScanDecoder&&) noexcept = default;
 ScanDecoder::~ScanDecoder() = default;
 
-Expected<LidarScan> ScanDecoder::decode_point_cloud2(std::span<const std::byte> message) {
-  HF_TRY(const PointCloud2 cloud, parse(message));
+Expected<LidarScan> ScanDecoder::decode_point_cloud2(std::span<const std::byte> message,
+                                                     RosWire wire) {
+  HF_TRY(const PointCloud2 cloud, parse(message, wire));
   HF_TRY(const ScanFields fields, find_fields(cloud, *times_));
   LidarScan scan = {.stamp = cloud.stamp};
   RawPointTimes raw;
@@ -187,14 +187,18 @@ Expected<LidarScan> ScanDecoder::decode_point_cloud2(std::span<const std::byte> 
   return scan;
 }
 
-Expected<LidarScan> ScanDecoder::decode_livox(std::span<const std::byte> message) {
+Expected<LidarScan> ScanDecoder::decode_livox(std::span<const std::byte> message, RosWire wire) {
   constexpr std::size_t kPointBytes = 19;
-  ByteReader reader(message);
+  // CDR pads each point to the alignment of its offset, but not behind the last one.
+  const std::size_t stride = wire == RosWire::kRos1 ? kPointBytes : 20;
+  RosReader reader(message, wire);
   LidarScan scan = {.stamp = read_ros_header(reader)};
   const auto timebase_ns = reader.read<std::uint64_t>();
-  reader.skip(sizeof(std::uint32_t) + 4);  // point_num, lidar_id, reserved
+  reader.skip<std::uint32_t>();  // point_num
+  reader.skip<std::uint8_t>(4);  // lidar_id, reserved
   const auto num_points = reader.read<std::uint32_t>();
-  const auto points = reader.take(std::uint64_t{num_points} * kPointBytes);
+  const auto points =
+      reader.take(num_points == 0 ? 0 : (std::uint64_t{num_points} - 1) * stride + kPointBytes);
   if (reader.failed()) {
     return fail(
         ErrorCode::kParse,
@@ -204,15 +208,17 @@ Expected<LidarScan> ScanDecoder::decode_livox(std::span<const std::byte> message
   constexpr std::uint64_t kMaxTime = std::uint64_t{1} << 62;
   if (scan.stamp == Timestamp{} && timebase_ns < kMaxTime) scan.stamp = Timestamp(timebase_ns);
   RawPointTimes raw = {.field = "offset_time", .type = ScalarType::kUint32};
+  const std::endian order = reader.order();
   scan.points.reserve(num_points);
   raw.values.reserve(num_points);
   for (std::size_t i = 0; i < num_points; ++i) {
-    const std::byte* const bytes = points.data() + i * kPointBytes;
+    const std::byte* const bytes = points.data() + i * stride;
     if (is_livox_noise(load<std::uint8_t>(bytes + 17))) continue;
     LidarPoint& point = scan.points.emplace_back();
-    raw.values.push_back(load<std::uint32_t>(bytes));
-    point.point_in_lidar = {
-        load<float>(bytes + 4), load<float>(bytes + 8), load<float>(bytes + 12)};
+    raw.values.push_back(load<std::uint32_t>(bytes, order));
+    point.point_in_lidar = {load<float>(bytes + 4, order),
+                            load<float>(bytes + 8, order),
+                            load<float>(bytes + 12, order)};
     point.intensity = load<std::uint8_t>(bytes + 16);
     point.ring = load<std::uint8_t>(bytes + 18);
   }

@@ -103,19 +103,20 @@ Expected<std::string> asked_for(const std::filesystem::path& path,
 }  // namespace
 
 bool is_point_cloud2(std::string_view type) {
-  return type == "sensor_msgs/PointCloud2";
+  return type == "sensor_msgs/PointCloud2" || type == "sensor_msgs/msg/PointCloud2";
 }
 
 bool is_livox(std::string_view type) {
-  return type == "livox_ros_driver/CustomMsg" || type == "livox_ros_driver2/CustomMsg";
+  return type == "livox_ros_driver/CustomMsg" || type == "livox_ros_driver2/CustomMsg" ||
+         type == "livox_ros_driver2/msg/CustomMsg" || type == "livox_interfaces/msg/CustomMsg";
 }
 
 bool is_imu(std::string_view type) {
-  return type == "sensor_msgs/Imu";
+  return type == "sensor_msgs/Imu" || type == "sensor_msgs/msg/Imu";
 }
 
 bool is_gnss(std::string_view type) {
-  return type == "sensor_msgs/NavSatFix";
+  return type == "sensor_msgs/NavSatFix" || type == "sensor_msgs/msg/NavSatFix";
 }
 
 std::vector<RecordingTopic> recording_topics(const std::vector<BagConnection>& connections) {

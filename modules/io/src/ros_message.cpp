@@ -8,7 +8,7 @@
 namespace hybridfusion {
 namespace {
 
-[[nodiscard]] Eigen::Vector3d read_vector(ByteReader& reader) {
+[[nodiscard]] Eigen::Vector3d read_vector(RosReader& reader) {
   const auto x = reader.read<double>();
   const auto y = reader.read<double>();
   return {x, y, reader.read<double>()};
@@ -28,22 +28,22 @@ namespace {
 
 }  // namespace
 
-Timestamp read_ros_header(ByteReader& reader) {
-  reader.skip(sizeof(std::uint32_t));  // sequence number
+Timestamp read_ros_header(RosReader& reader) {
+  if (reader.wire() == RosWire::kRos1) reader.skip<std::uint32_t>();  // sequence number
   const auto seconds = reader.read<std::uint32_t>();
   const auto nanoseconds = reader.read<std::uint32_t>();
   static_cast<void>(reader.read_string());  // frame id
   return std::chrono::seconds(seconds) + std::chrono::nanoseconds(nanoseconds);
 }
 
-Expected<ImuSample> decode_imu(std::span<const std::byte> message) {
-  constexpr std::size_t kOrientationAndCovariance = (4 + 9) * sizeof(double);
-  constexpr std::size_t kCovariance = 9 * sizeof(double);
-  ByteReader reader(message);
+Expected<ImuSample> decode_imu(std::span<const std::byte> message, RosWire wire) {
+  constexpr std::size_t kOrientationAndCovariance = 4 + 9;
+  constexpr std::size_t kCovariance = 9;
+  RosReader reader(message, wire);
   ImuSample sample = {.time = read_ros_header(reader)};
-  reader.skip(kOrientationAndCovariance);
+  reader.skip<double>(kOrientationAndCovariance);
   sample.angular_velocity_radps = read_vector(reader);
-  reader.skip(kCovariance);
+  reader.skip<double>(kCovariance);
   sample.specific_force_mps2 = read_vector(reader);
   if (reader.failed()) return too_short("sensor_msgs/Imu", message.size());
   if (!sample.angular_velocity_radps.allFinite() || !sample.specific_force_mps2.allFinite()) {
@@ -52,11 +52,12 @@ Expected<ImuSample> decode_imu(std::span<const std::byte> message) {
   return sample;
 }
 
-Expected<std::optional<GnssFix>> decode_nav_sat_fix(std::span<const std::byte> message) {
-  ByteReader reader(message);
+Expected<std::optional<GnssFix>> decode_nav_sat_fix(std::span<const std::byte> message,
+                                                    RosWire wire) {
+  RosReader reader(message, wire);
   GnssFix fix = {.time = read_ros_header(reader)};
   const auto status = reader.read<std::int8_t>();
-  reader.skip(sizeof(std::uint16_t));  // service
+  reader.skip<std::uint16_t>();  // service
   fix.position.latitude_deg = reader.read<double>();
   fix.position.longitude_deg = reader.read<double>();
   fix.position.altitude_m = reader.read<double>();

@@ -2,6 +2,7 @@
 
 #include "byte_reader.hpp"
 #include "text.hpp"
+#include "zstd_stream.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -94,6 +95,21 @@ void grow(std::vector<std::byte>& bytes, std::uint64_t limit) {
   return result;
 }
 
+[[nodiscard]] Decompressed unpack_zstd(std::span<const std::byte> packed, std::uint64_t limit) {
+  Decompressed result;
+  ZstdStream stream;
+  while ((!packed.empty() || stream.has_more()) && result.bytes.size() < limit) {
+    const auto bytes = stream.unpack(packed);
+    if (!stream.problem().empty()) break;
+    const auto kept = bytes.first(std::min<std::size_t>(bytes.size(), limit - result.bytes.size()));
+    result.bytes.insert(result.bytes.end(), kept.begin(), kept.end());
+  }
+  if (result.bytes.size() < limit) {
+    result.problem = stream.problem().empty() ? "its zstd data end early" : stream.problem();
+  }
+  return result;
+}
+
 }  // namespace
 
 std::optional<BagFields> BagFields::parse(std::span<const std::byte> header) {
@@ -150,6 +166,7 @@ Decompressed decompress_chunk(std::string_view compression,
   }
   if (compression == "bz2") return unpack_bz2(packed, declared_bytes);
   if (compression == "lz4") return unpack_lz4(packed, declared_bytes);
+  if (compression == "zstd") return unpack_zstd(packed, declared_bytes);
   if (compression == "none") {
     const auto whole = packed.first(std::min<std::size_t>(packed.size(), declared_bytes));
     Decompressed result = {.bytes = {whole.begin(), whole.end()}};

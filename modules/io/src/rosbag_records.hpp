@@ -49,8 +49,8 @@ struct Decompressed {
   std::string problem = {};  ///< Why the bytes are not all there; empty when they are.
 };
 
-/// Unpacks chunk data: "none", "bz2" or "lz4". What precedes damage or the end of the input is
-/// kept.
+/// Unpacks chunk data: "none", "bz2", "lz4" or (MCAP) "zstd". What precedes damage or the end of
+/// the input is kept.
 /// @param declared_bytes  Size that the chunk announces; never exceeded.
 [[nodiscard]] Decompressed decompress_chunk(std::string_view compression,
                                             std::span<const std::byte> packed,

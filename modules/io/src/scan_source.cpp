@@ -1,8 +1,10 @@
+#include "recording_reader.hpp"
 #include "recording_topics.hpp"
 #include "ros_message.hpp"
+#include "scan_folder.hpp"
+#include "zstd_stream.hpp"
 
 #include <hybridfusion/io/point_cloud2.hpp>
-#include <hybridfusion/io/rosbag1.hpp>
 #include <hybridfusion/io/scan_source.hpp>
 
 #include <utility>
@@ -12,10 +14,49 @@
 namespace hybridfusion {
 namespace {
 
-/// Messages of the chosen topics of a ROS 1 bag, decoded.
+[[nodiscard]] const std::vector<BagConnection>& connections_of(const RecordingReader& reader) {
+  return std::visit(
+      [](const auto& bag) -> const std::vector<BagConnection>& { return bag.connections(); },
+      reader);
+}
+
+void add_reading_notes(const RecordingReader& reader, RecordingSummary& summary) {
+  std::visit(
+      [&summary](const auto& bag) {
+        summary.truncated = bag.truncated();
+        const std::vector<std::string> warnings = bag.warnings();
+        summary.warnings.insert(summary.warnings.end(), warnings.begin(), warnings.end());
+      },
+      reader);
+}
+
+[[nodiscard]] RecordingSummary summarize(const RecordingReader& reader) {
+  RecordingSummary summary;
+  summary.format = std::visit([](const auto& bag) { return bag.format(); }, reader);
+  summary.topics = recording_topics(connections_of(reader));
+  return summary;
+}
+
+/// Undoes the compression of single messages by ROS 2 recorders. What cannot be unpacked is left
+/// for the decoder of the message to count as damaged.
+void unpack(BagMessage& message) {
+  constexpr std::size_t kMaxBytes = std::size_t{1} << 29;
+  ZstdStream stream;
+  std::vector<std::byte> bytes;
+  std::span<const std::byte> packed = message.data;
+  while ((!packed.empty() || stream.has_more()) && bytes.size() <= kMaxBytes) {
+    const auto piece = stream.unpack(packed);
+    if (!stream.problem().empty()) break;
+    bytes.insert(bytes.end(), piece.begin(), piece.end());
+  }
+  message.storage = std::make_shared<const std::vector<std::byte>>(std::move(bytes));
+  message.data = *message.storage;
+}
+
+/// Messages of the chosen topics of a bag, decoded.
 class BagScanSource final : public ScanSource {
  public:
-  BagScanSource(Rosbag1Reader reader, RecordingSummary summary, const RecordingOptions& options)
+  BagScanSource(RecordingReader reader, RecordingSummary summary, const RecordingOptions& options)
       : reader_(std::move(reader)),
         summary_(std::move(summary)),
         decoder_({.field = options.point_time_field, .unit = options.point_time_unit}) {}
@@ -29,12 +70,14 @@ class BagScanSource final : public ScanSource {
   [[nodiscard]] Kind kind_of(const BagConnection& connection) const;
   [[nodiscard]] const BagConnection* connection_of(const BagMessage& message) const;
   /// Nothing for a message that says nothing, such as a GNSS message without a fix.
-  [[nodiscard]] Expected<std::optional<SensorMessage>> decode(Kind kind, const BagMessage& message);
+  [[nodiscard]] Expected<std::optional<SensorMessage>> decode(Kind kind,
+                                                              RosWire wire,
+                                                              const BagMessage& message);
   [[nodiscard]] Timestamp stamp_or_recorded(Timestamp stamp, Timestamp recorded);
   void count(const SensorMessage& message);
   void note_damage(const std::string& topic, const Error& error);
 
-  Rosbag1Reader reader_;
+  RecordingReader reader_;
   RecordingSummary summary_;
   ScanDecoder decoder_;
   bool told_missing_stamps_ = false;
@@ -51,7 +94,7 @@ BagScanSource::Kind BagScanSource::kind_of(const BagConnection& connection) cons
 }
 
 const BagConnection* BagScanSource::connection_of(const BagMessage& message) const {
-  for (const BagConnection& connection : reader_.connections()) {
+  for (const BagConnection& connection : connections_of(reader_)) {
     if (connection.id == message.connection) return &connection;
   }
   return nullptr;
@@ -65,21 +108,23 @@ Timestamp BagScanSource::stamp_or_recorded(Timestamp stamp, Timestamp recorded) 
   return recorded;
 }
 
-Expected<std::optional<SensorMessage>> BagScanSource::decode(Kind kind, const BagMessage& message) {
+Expected<std::optional<SensorMessage>> BagScanSource::decode(Kind kind,
+                                                             RosWire wire,
+                                                             const BagMessage& message) {
   if (kind == Kind::kImu) {
-    HF_TRY(ImuSample sample, decode_imu(message.data));
+    HF_TRY(ImuSample sample, decode_imu(message.data, wire));
     sample.time = stamp_or_recorded(sample.time, message.time);
     return sample;
   }
   if (kind == Kind::kGnss) {
-    HF_TRY(std::optional<GnssFix> fix, decode_nav_sat_fix(message.data));
+    HF_TRY(std::optional<GnssFix> fix, decode_nav_sat_fix(message.data, wire));
     if (!fix) return std::nullopt;
     fix->time = stamp_or_recorded(fix->time, message.time);
     return *fix;
   }
   HF_TRY(LidarScan scan,
-         kind == Kind::kLivox ? decoder_.decode_livox(message.data)
-                              : decoder_.decode_point_cloud2(message.data));
+         kind == Kind::kLivox ? decoder_.decode_livox(message.data, wire)
+                              : decoder_.decode_point_cloud2(message.data, wire));
   scan.stamp = stamp_or_recorded(scan.stamp, message.time);
   return scan;
 }
@@ -99,13 +144,16 @@ void BagScanSource::note_damage(const std::string& topic, const Error& error) {
 
 Expected<std::optional<SensorMessage>> BagScanSource::next() {
   for (;;) {
-    HF_TRY(const std::optional<BagMessage> message, reader_.next());
+    HF_TRY(std::optional<BagMessage> message,
+           std::visit([](auto& reader) { return reader.next(); }, reader_));
     if (!message) return std::nullopt;
     const BagConnection* const connection = connection_of(*message);
     if (connection == nullptr) continue;
     const Kind kind = kind_of(*connection);
     if (kind == Kind::kOther) continue;
-    auto decoded = decode(kind, *message);
+    // CDR never begins with the mark of zstd: its first byte is 0.
+    if (connection->wire == RosWire::kCdr && is_zstd(message->data)) unpack(*message);
+    auto decoded = decode(kind, connection->wire, *message);
     if (!decoded && decoded.error().code == ErrorCode::kNotFound) {
       return std::unexpected(std::move(decoded.error()).with_context(connection->topic));
     }
@@ -125,41 +173,59 @@ Expected<std::optional<SensorMessage>> BagScanSource::next() {
 RecordingSummary BagScanSource::summary() const {
   RecordingSummary summary = summary_;
   summary.point_time = decoder_.point_time();
-  summary.truncated = reader_.truncated();
-  summary.warnings.insert(
-      summary.warnings.end(), reader_.warnings().begin(), reader_.warnings().end());
+  add_reading_notes(reader_, summary);
   return summary;
 }
 
-[[nodiscard]] RecordingSummary summarize(const Rosbag1Reader& reader) {
-  RecordingSummary summary = {.format = "ROS 1 bag 2.0"};
-  summary.topics = recording_topics(reader.connections());
-  return summary;
+[[nodiscard]] RecordingSetup setup_for(const std::filesystem::path& path,
+                                       const RecordingOptions& options,
+                                       const RunContext& ctx) {
+  RecordingSetup setup = {.scratch_folder = options.scratch_folder, .context = ctx};
+  if (setup.scratch_folder.empty()) {
+    setup.scratch_folder = std::filesystem::absolute(path).parent_path();
+  }
+  return setup;
 }
 
 }  // namespace
 
 Expected<std::unique_ptr<ScanSource>> open_recording(const std::filesystem::path& path,
-                                                     const RecordingOptions& options) {
+                                                     const RecordingOptions& options,
+                                                     const RunContext& ctx) {
   if (auto valid = validate(options, "recording"); !valid) return std::unexpected(valid.error());
-  HF_TRY(Rosbag1Reader reader, Rosbag1Reader::open(path));
+  HF_TRY(const Container container, container_of(path));
+  if (container == Container::kScanFolder) return open_scan_folder(path, options);
+  HF_TRY(RecordingReader reader,
+         open_recording_reader(path, container, setup_for(path, options, ctx)));
   RecordingSummary summary = summarize(reader);
   if (auto chosen = choose_topics(path, options, Require::kLidarAndImu, summary); !chosen) {
     return std::unexpected(chosen.error());
   }
-  reader.select_topics({summary.lidar_topic, summary.imu_topic, summary.gnss_topic});
+  const std::vector<std::string> topics = {
+      summary.lidar_topic, summary.imu_topic, summary.gnss_topic};
+  std::visit([&topics](auto& bag) { bag.select_topics(topics); }, reader);
   return std::make_unique<BagScanSource>(std::move(reader), std::move(summary), options);
 }
 
-Expected<RecordingSummary> inspect_recording(const std::filesystem::path& path) {
-  HF_TRY(const Rosbag1Reader reader, Rosbag1Reader::open(path));
+Expected<std::vector<std::filesystem::path>> recording_files(const std::filesystem::path& path) {
+  HF_TRY(const Container container, container_of(path));
+  if (container == Container::kScanFolder) return scan_folder_files(path);
+  if (container == Container::kRos2Folder) return ros2_bag_files(path);
+  return std::vector<std::filesystem::path>{path};
+}
+
+Expected<RecordingSummary> inspect_recording(const std::filesystem::path& path,
+                                             const RecordingOptions& options,
+                                             const RunContext& ctx) {
+  HF_TRY(const Container container, container_of(path));
+  if (container == Container::kScanFolder) return inspect_scan_folder(path);
+  HF_TRY(const RecordingReader reader,
+         open_recording_reader(path, container, setup_for(path, options, ctx)));
   RecordingSummary summary = summarize(reader);
-  if (auto chosen = choose_topics(path, {}, Require::kNothing, summary); !chosen) {
+  if (auto chosen = choose_topics(path, options, Require::kNothing, summary); !chosen) {
     return std::unexpected(chosen.error());
   }
-  summary.truncated = reader.truncated();
-  summary.warnings.insert(
-      summary.warnings.end(), reader.warnings().begin(), reader.warnings().end());
+  add_reading_notes(reader, summary);
   return summary;
 }
 

@@ -1,5 +1,6 @@
 #include "text.hpp"
 #include "text_lines.hpp"
+#include "time_text.hpp"
 
 #include <hybridfusion/io/atomic_file.hpp>
 #include <hybridfusion/io/tum.hpp>
@@ -12,28 +13,6 @@ namespace hybridfusion {
 namespace {
 
 constexpr std::string_view kExpected = "write 'time x y z qx qy qz qw' on each line";
-
-/// "1777674600.050000" to nanoseconds without going through a double; further digits are dropped.
-/// Falls back to a double for forms such as 1.7e9.
-[[nodiscard]] std::optional<Timestamp> parse_seconds(std::string_view text) {
-  const bool negative = text.starts_with('-');
-  const std::string_view digits = negative ? text.substr(1) : text;
-  const std::size_t point = digits.find('.');
-  const auto whole = parse_number<std::uint64_t>(digits.substr(0, point));
-  std::string fraction(point == std::string_view::npos ? "" : digits.substr(point + 1));
-  const bool plain = fraction.find_first_not_of("0123456789") == std::string::npos;
-  constexpr std::uint64_t kMaxSeconds = 9'000'000'000;
-  if (whole && plain) {
-    if (*whole > kMaxSeconds) return std::nullopt;
-    fraction.resize(9, '0');
-    const Timestamp time =
-        std::chrono::seconds(*whole) + Timestamp(parse_number<std::int64_t>(fraction).value_or(0));
-    return negative ? -time : time;
-  }
-  const auto value = parse_number<double>(text);
-  if (!value || !(std::abs(*value) <= static_cast<double>(kMaxSeconds))) return std::nullopt;
-  return from_seconds(*value);
-}
 
 [[nodiscard]] std::optional<StampedPose> parse_pose(const std::vector<std::string_view>& words) {
   if (words.size() != 8) return std::nullopt;
@@ -77,15 +56,10 @@ Expected<void> write_tum(const std::filesystem::path& path, const Trajectory& tr
   HF_TRY(AtomicFile file, AtomicFile::create(path));
   file.write("# time[s] x y z qx qy qz qw\n");
   for (const StampedPose& pose : trajectory.poses) {
-    const std::int64_t ns = pose.time.count();
-    const std::uint64_t magnitude =
-        ns < 0 ? 0U - static_cast<std::uint64_t>(ns) : static_cast<std::uint64_t>(ns);
     const Eigen::Vector3d& at = pose.map_from_body.translation;
     const Eigen::Quaterniond& q = pose.map_from_body.rotation;
-    file.write(fmt::format("{}{}.{:09} {:.6f} {:.6f} {:.6f} {:.9f} {:.9f} {:.9f} {:.9f}\n",
-                           ns < 0 ? "-" : "",
-                           magnitude / 1'000'000'000U,
-                           magnitude % 1'000'000'000U,
+    file.write(fmt::format("{} {:.6f} {:.6f} {:.6f} {:.9f} {:.9f} {:.9f} {:.9f}\n",
+                           seconds_text(pose.time),
                            at.x(),
                            at.y(),
                            at.z(),

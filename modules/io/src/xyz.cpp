@@ -1,6 +1,6 @@
 #include "xyz.hpp"
 
-#include "cloud_builder.hpp"
+#include "placed_readers.hpp"
 #include "text.hpp"
 #include "text_lines.hpp"
 
@@ -41,9 +41,7 @@ constexpr std::string_view kExpected =
   return numbers;
 }
 
-}  // namespace
-
-Expected<PointCloud> read_xyz(const std::filesystem::path& path) {
+Expected<CloudBuilder> build_xyz(const std::filesystem::path& path) {
   HF_TRY(TextLines lines, TextLines::open(path));
   std::optional<CloudBuilder> builder;
   std::size_t num_columns = 0;
@@ -69,19 +67,37 @@ Expected<PointCloud> read_xyz(const std::filesystem::path& path) {
     }
   }
   if (!builder) return lines.malformed("there are no points", kExpected);
-  auto cloud = std::move(*builder).finish();
-  if (!cloud) return std::unexpected(std::move(cloud.error()).with_context(path.string()));
-  return cloud;
+  return std::move(*builder);
 }
 
-Expected<void> write_xyz(const std::filesystem::path& path, const PointCloud& cloud) {
+}  // namespace
+
+Expected<PointCloud> read_xyz(const std::filesystem::path& path) {
+  HF_TRY(CloudBuilder builder, build_xyz(path));
+  return finished(path, std::move(builder).finish());
+}
+
+Expected<PlacedCloud> read_placed_xyz(const std::filesystem::path& path) {
+  HF_TRY(CloudBuilder builder, build_xyz(path));
+  return finished(path, std::move(builder).finish_placed());
+}
+
+Expected<void> write_xyz(const std::filesystem::path& path,
+                         const PointCloud& cloud,
+                         const Eigen::Vector3d& offset_m) {
   HF_CHECK(validate(cloud).has_value());
   HF_TRY(AtomicFile file, AtomicFile::create(path));
   std::string row;
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     const Eigen::Vector3f& at = cloud.points[i];
     row.clear();
-    fmt::format_to(std::back_inserter(row), "{} {} {}", at.x(), at.y(), at.z());
+    if (offset_m.isZero()) {
+      fmt::format_to(std::back_inserter(row), "{} {} {}", at.x(), at.y(), at.z());
+    } else {
+      const Eigen::Vector3d placed = at.cast<double>() + offset_m;
+      fmt::format_to(
+          std::back_inserter(row), "{:.4f} {:.4f} {:.4f}", placed.x(), placed.y(), placed.z());
+    }
     if (!cloud.intensities.empty())
       fmt::format_to(std::back_inserter(row), " {}", cloud.intensities[i]);
     if (!cloud.colors.empty()) {

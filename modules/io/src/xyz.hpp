@@ -13,6 +13,9 @@ namespace hybridfusion {
 [[nodiscard]] Expected<PointCloud> read_xyz(const std::filesystem::path& path);
 
 /// Writes "x y z", with intensity and colour when the cloud has them, so that read_xyz understands.
-[[nodiscard]] Expected<void> write_xyz(const std::filesystem::path& path, const PointCloud& cloud);
+/// @param offset_m  Added to the points.
+[[nodiscard]] Expected<void> write_xyz(const std::filesystem::path& path,
+                                       const PointCloud& cloud,
+                                       const Eigen::Vector3d& offset_m);
 
 }  // namespace hybridfusion

@@ -216,7 +216,6 @@ TEST(Rosbag1, WhatIsNotABagIsNamedWithTheWayOut) {
   EXPECT_THAT(message("hello"), HasSubstr("not a ROS 1 bag"));
   EXPECT_THAT(message("#ROSBAG V1.2\n..."), HasSubstr("rosbag fix"));
   EXPECT_THAT(message("SQLite format 3 ..."), HasSubstr("ROS 2"));
-  EXPECT_THAT(message("\x28\xb5\x2f\xfd ..."), HasSubstr("zstd -d"));
   EXPECT_THAT(message("#ROSBAG V2.0\n"), HasSubstr("header"));
   const auto missing = Rosbag1Reader::open(folder.path() / "none.bag");
   ASSERT_FALSE(missing);

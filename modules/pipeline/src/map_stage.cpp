@@ -215,6 +215,16 @@ Expected<Json> place_by_gnss(const Workspace& workspace,
   return json;
 }
 
+/// sensors.yaml in the folder of the recording or, when the recording is a folder, in that.
+std::optional<std::filesystem::path> sensors_beside(const std::filesystem::path& bag) {
+  constexpr std::string_view kName = "sensors.yaml";
+  for (const std::filesystem::path& candidate : {bag / kName, bag.parent_path() / kName}) {
+    std::error_code code;
+    if (std::filesystem::is_regular_file(candidate, code)) return candidate;
+  }
+  return std::nullopt;
+}
+
 struct MapInputs {
   std::filesystem::path bag = {};
   RecordingOptions recording = {};
@@ -224,7 +234,8 @@ struct MapInputs {
 Expected<StageResult> map_into(Project& project, const MapInputs& inputs, const RunContext& ctx) {
   const Workspace& workspace = project.workspace;
   const LidarStageOptions& options = project.options.lidar;
-  HF_TRY(const std::unique_ptr<ScanSource> source, open_recording(inputs.bag, inputs.recording));
+  HF_TRY(const std::unique_ptr<ScanSource> source,
+         open_recording(inputs.bag, inputs.recording, ctx));
   HF_TRY(const MappingResult mapping, map_recording(*source, options.odometry, inputs.rig, ctx));
   const RecordingSummary recording = source->summary();
   for (const std::string& warning : recording.warnings) {
@@ -251,27 +262,28 @@ Expected<StageOutcome> map_stage(Project& project,
                                  const std::optional<std::filesystem::path>& sensors,
                                  const RunContext& ctx) {
   std::optional<std::filesystem::path> sensors_path = sensors;
-  std::error_code code;
-  const std::filesystem::path beside = bag.parent_path() / "sensors.yaml";
-  if (!sensors && std::filesystem::is_regular_file(beside, code)) sensors_path = beside;
+  if (!sensors) sensors_path = sensors_beside(bag);
   SensorConfig config;
   if (sensors_path) {
     HF_TRY(config, read_sensors_yaml(*sensors_path));
   }
   StagePlan plan{.stage = "map",
                  .option_groups = {"lidar"},
-                 .inputs = {bag},
+                 .inputs = {},
                  .outputs = {workspace_file::kTrajectory,
                              workspace_file::kMap,
                              workspace_file::kQuality,
                              workspace_file::kGnss}};
+  HF_TRY(plan.inputs, recording_files(bag));
   if (sensors_path) plan.inputs.push_back(*sensors_path);
   if (project.workspace.has(workspace_file::kOrigin)) {
     plan.inputs.push_back(project.workspace.path(workspace_file::kOrigin));
   }
-  const MapInputs inputs{.bag = bag,
-                         .recording = recording_options(project.options.lidar.recording, config),
-                         .rig = rig_of(config)};
+  MapInputs inputs{.bag = bag,
+                   .recording = recording_options(project.options.lidar.recording, config),
+                   .rig = rig_of(config)};
+  std::string& scratch_folder = inputs.recording.scratch_folder;
+  if (scratch_folder.empty()) scratch_folder = project.workspace.root().string();
   return run_stage(project, plan, ctx, [&] { return map_into(project, inputs, ctx); });
 }
 

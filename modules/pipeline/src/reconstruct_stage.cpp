@@ -1,3 +1,4 @@
+#include "imported_poses.hpp"
 #include "json_text.hpp"
 #include "stage_runner.hpp"
 #include "vision_files.hpp"
@@ -10,6 +11,7 @@
 #include <hybridfusion/vision/reconstruct.hpp>
 
 #include <algorithm>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -91,18 +93,30 @@ StageResult describe(const Reconstruction& reconstruction,
   return result;
 }
 
+using PosesFolder = std::optional<std::filesystem::path>;
+
+/// By structure from motion, or from the given poses.
+Expected<Reconstruction> posed_photos(const PhotoFolder& folder,
+                                      const PosesFolder& poses,
+                                      const ReconstructionOptions& options,
+                                      const RunContext& ctx) {
+  if (poses) return import_poses(*poses, folder.photos, options.gnss);
+  if (auto enough = check_positions(folder); !enough) return std::unexpected(enough.error());
+  return reconstruct(folder.photos, options, ctx);
+}
+
 Expected<StageResult> reconstruct_into(Project& project,
                                        const PhotoFolder& folder,
+                                       const PosesFolder& poses,
                                        const RunContext& ctx) {
   const Workspace& workspace = project.workspace;
   const VisionStageOptions& options = project.options.vision;
   for (const QuarantinedPhoto& photo : folder.quarantined) {
     ctx.warn(fmt::format("{} is left out: {}", photo.name, photo.reason));
   }
-  if (auto enough = check_positions(folder); !enough) return std::unexpected(enough.error());
   if (auto made = workspace.make_folder("vision"); !made) return std::unexpected(made.error());
   HF_TRY(const Reconstruction reconstruction,
-         reconstruct(folder.photos, options.reconstruction, ctx));
+         posed_photos(folder, poses, options.reconstruction, ctx));
   for (const std::string& warning : reconstruction.warnings) ctx.warn(warning);
   HF_TRY(const PointCloud dense, densify(folder.photos, reconstruction, options.densify, ctx));
   auto written = write_colmap_model(workspace.path("vision"), colmap_model_of(reconstruction));
@@ -122,18 +136,24 @@ Expected<StageResult> reconstruct_into(Project& project,
 
 Expected<StageOutcome> reconstruct_stage(Project& project,
                                          const std::filesystem::path& images,
-                                         const RunContext& ctx) {
+                                         const RunContext& ctx,
+                                         const std::optional<std::filesystem::path>& poses) {
   HF_TRY(const PhotoFolder folder, open_photo_folder(images));
-  const StagePlan plan{.stage = "reconstruct",
-                       .option_groups = {"vision"},
-                       .inputs = photo_files(folder),
-                       .outputs = {workspace_file::kCameras,
-                                   workspace_file::kImages,
-                                   workspace_file::kPoints3d,
-                                   workspace_file::kPositions,
-                                   workspace_file::kOrigin,
-                                   workspace_file::kDense}};
-  return run_stage(project, plan, ctx, [&] { return reconstruct_into(project, folder, ctx); });
+  StagePlan plan{.stage = "reconstruct",
+                 .option_groups = {"vision"},
+                 .inputs = photo_files(folder),
+                 .outputs = {workspace_file::kCameras,
+                             workspace_file::kImages,
+                             workspace_file::kPoints3d,
+                             workspace_file::kPositions,
+                             workspace_file::kOrigin,
+                             workspace_file::kDense}};
+  if (poses) {
+    plan.variant = "given poses";
+    std::ranges::copy(pose_files(*poses), std::back_inserter(plan.inputs));
+  }
+  return run_stage(
+      project, plan, ctx, [&] { return reconstruct_into(project, folder, poses, ctx); });
 }
 
 }  // namespace hybridfusion

@@ -3,6 +3,7 @@
 #include <hybridfusion/core/geodetic.hpp>
 #include <hybridfusion/core/rigid3.hpp>
 #include <hybridfusion/core/sim3.hpp>
+#include <hybridfusion/pipeline/workspace.hpp>
 
 #include <filesystem>
 #include <map>
@@ -14,7 +15,6 @@ namespace hybridfusion {
 /// vision/origin.json.
 [[nodiscard]] Expected<void> write_origin(const std::filesystem::path& path,
                                           const GeodeticOrigin& origin);
-[[nodiscard]] Expected<GeodeticOrigin> read_origin(const std::filesystem::path& path);
 
 /// lidar/gnss.json as far as other stages need it.
 struct MapGeoreference {

@@ -2,6 +2,7 @@
 
 #include <hybridfusion/core/error.hpp>
 #include <hybridfusion/core/sensor_data.hpp>
+#include <hybridfusion/io/ros_wire.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -31,13 +32,15 @@ class ScanDecoder {
   ScanDecoder& operator=(ScanDecoder&&) noexcept;
   ~ScanDecoder();
 
-  /// @param message  Serialised ROS 1 sensor_msgs/PointCloud2.
+  /// @param message  Serialised sensor_msgs/PointCloud2.
   /// @returns Points in message order; those that Livox tags as noise are left out. kParse for
   /// bytes that contradict the declared layout, kNotFound without x y z or the time field asked
   /// for.
-  [[nodiscard]] Expected<LidarScan> decode_point_cloud2(std::span<const std::byte> message);
+  [[nodiscard]] Expected<LidarScan> decode_point_cloud2(std::span<const std::byte> message,
+                                                        RosWire wire = RosWire::kRos1);
   /// @param message  Serialised livox_ros_driver(2)/CustomMsg.
-  [[nodiscard]] Expected<LidarScan> decode_livox(std::span<const std::byte> message);
+  [[nodiscard]] Expected<LidarScan> decode_livox(std::span<const std::byte> message,
+                                                 RosWire wire = RosWire::kRos1);
 
   /// How point times are found, for a person: "field 'time' (float32, s, relative to the scan's
   /// stamp)"; empty before the first scan.

@@ -2,6 +2,7 @@
 
 #include <hybridfusion/core/error.hpp>
 #include <hybridfusion/core/time.hpp>
+#include <hybridfusion/io/ros_wire.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -19,6 +20,7 @@ struct BagConnection {
   std::string topic = {};
   std::string type = {};                       ///< "sensor_msgs/Imu"
   std::optional<std::uint64_t> messages = {};  ///< Absent when the bag has no index.
+  RosWire wire = RosWire::kRos1;
 };
 
 struct BagMessage {
@@ -33,8 +35,10 @@ struct BagMessage {
 /// before it is recovered. Sizes are checked before memory is taken.
 class Rosbag1Reader {
  public:
+  /// @param name  What messages call the file; empty: its path.
   /// @returns kNotFound; kParse for an empty file or one that is not a ROS 1 bag 2.0.
-  [[nodiscard]] static Expected<Rosbag1Reader> open(const std::filesystem::path& path);
+  [[nodiscard]] static Expected<Rosbag1Reader> open(const std::filesystem::path& path,
+                                                    const std::filesystem::path& name = {});
 
   Rosbag1Reader(Rosbag1Reader&&) noexcept;
   Rosbag1Reader& operator=(Rosbag1Reader&&) noexcept;

@@ -2,6 +2,7 @@
 
 #include <hybridfusion/core/error.hpp>
 #include <hybridfusion/core/options.hpp>
+#include <hybridfusion/core/run_context.hpp>
 #include <hybridfusion/core/sensor_data.hpp>
 
 #include <cstdint>
@@ -42,6 +43,7 @@ struct RecordingOptions {
   std::string gnss_topic = {};
   std::string point_time_field = {};
   std::string point_time_unit = {};
+  std::string scratch_folder = {};
 };
 template <>
 struct OptionFields<RecordingOptions> {
@@ -65,6 +67,11 @@ struct OptionFields<RecordingOptions> {
              .choices = "|s|ms|us|ns",
              .doc = "Unit of that field; empty: detect by the span of a scan.",
              .source = "ours"}},
+      Field{&T::scratch_folder,
+            {.key = "scratch_folder",
+             .doc = "Folder in which a recording that is compressed as a whole is unpacked for the "
+                    "time of reading; empty: the workspace.",
+             .source = "ours"}},
   };
 };
 
@@ -84,13 +91,27 @@ class ScanSource {
   [[nodiscard]] virtual RecordingSummary summary() const = 0;
 };
 
-/// Opens a recording (a ROS 1 bag 2.0 file, compressed or not, indexed or not) for streaming.
+/// Opens a recording for streaming: a ROS 1 bag 2.0; a ROS 2 bag as a folder, a .db3 or an .mcap
+/// file (MCAP of ROS 1 or CDR messages); one of these compressed with zstd as a whole; or a folder
+/// of imu.csv and .pcd scans. The kind is told by the content, not by the name. What is compressed
+/// as a whole is unpacked into a nameless file in options.scratch_folder (empty: beside the
+/// recording), which is gone when the source is.
 /// @returns kNotFound for a missing file or when it has no LiDAR or no IMU topic (the message lists
-/// the topics there are); kParse for an empty file or one of another format; kInvalidOptions.
+/// the topics there are); kParse for an empty file or one of another format; kInvalidOptions; kIo
+/// when unpacking finds no space; kCancelled.
 [[nodiscard]] Expected<std::unique_ptr<ScanSource>> open_recording(
-    const std::filesystem::path& path, const RecordingOptions& options = {});
+    const std::filesystem::path& path,
+    const RecordingOptions& options = {},
+    const RunContext& ctx = {});
+
+/// The files that a recording consists of: itself, or those of its folder that are read.
+/// @returns as open_recording for what is no recording.
+[[nodiscard]] Expected<std::vector<std::filesystem::path>> recording_files(
+    const std::filesystem::path& path);
 
 /// What a recording holds without requiring anything of it: topics, and those that would be chosen.
-[[nodiscard]] Expected<RecordingSummary> inspect_recording(const std::filesystem::path& path);
+[[nodiscard]] Expected<RecordingSummary> inspect_recording(const std::filesystem::path& path,
+                                                           const RecordingOptions& options = {},
+                                                           const RunContext& ctx = {});
 
 }  // namespace hybridfusion

@@ -49,9 +49,13 @@ struct Project {
 };
 
 /// Module A: photos -> COLMAP model, positions.csv, origin.json, dense.ply.
-[[nodiscard]] Expected<StageOutcome> reconstruct_stage(Project& project,
-                                                       const std::filesystem::path& images,
-                                                       const RunContext& ctx);
+/// @param poses  Folder of a COLMAP text model whose cameras and poses are taken as they are
+///               instead of being reconstructed.
+[[nodiscard]] Expected<StageOutcome> reconstruct_stage(
+    Project& project,
+    const std::filesystem::path& images,
+    const RunContext& ctx,
+    const std::optional<std::filesystem::path>& poses = {});
 
 /// Module B: recording -> trajectory.tum, map.ply, quality.csv, gnss.json.
 /// @param sensors  Absent: sensors.yaml beside the recording when it exists.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <hybridfusion/core/error.hpp>
+#include <hybridfusion/core/geodetic.hpp>
 
 #include <filesystem>
 #include <string_view>
@@ -58,5 +59,8 @@ inline constexpr std::string_view kFusedLas = "fused/fused.las";
 inline constexpr std::string_view kMetrics = "evaluation/metrics.json";
 inline constexpr std::string_view kReport = "report/index.html";
 }  // namespace workspace_file
+
+/// Reads an origin.json as workspaces have it. @returns kNotFound; kParse naming the file.
+[[nodiscard]] Expected<GeodeticOrigin> read_origin(const std::filesystem::path& path);
 
 }  // namespace hybridfusion

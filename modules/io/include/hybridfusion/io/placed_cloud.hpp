@@ -1,0 +1,42 @@
+#pragma once
+
+#include <hybridfusion/core/error.hpp>
+#include <hybridfusion/core/geodetic.hpp>
+#include <hybridfusion/core/point_cloud.hpp>
+
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace hybridfusion {
+
+/// A coordinate reference system as a file names it.
+struct CrsDescription {
+  std::string name = {};    ///< "WGS 84 / UTM zone 32N"; empty: none or unknown.
+  std::string wkt = {};     ///< Empty when it cannot be said.
+  bool geographic = false;  ///< Coordinates are degrees.
+  double metres_per_unit = 1.0;
+};
+
+/// A cloud whose coordinates may be too large for float.
+struct PlacedCloud {
+  PointCloud cloud = {};
+  Eigen::Vector3d offset_m = Eigen::Vector3d::Zero();  ///< Position in the CRS = cloud + offset.
+  CrsDescription crs = {};
+  std::vector<std::string> warnings = {};
+};
+
+/// Says where a local cloud lies: its coordinates are east, north, up at `origin`.
+struct Georeference {
+  GeodeticOrigin origin = {};
+  std::string crs = {};  ///< Target: "EPSG:n" or "EPSG:n+m"; empty: the UTM zone of the origin.
+};
+
+/// The cloud in the coordinates of the CRS, without its normals, whose axes are not those of the
+/// grid.
+/// @returns kInvalidOptions for a CRS that cannot be used, kDegenerate where it does not reach.
+[[nodiscard]] Expected<PlacedCloud> project_cloud(PointCloud cloud,
+                                                  const Georeference& georeference);
+
+}  // namespace hybridfusion

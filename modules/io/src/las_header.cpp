@@ -1,0 +1,221 @@
+#include "las_header.hpp"
+
+#include "byte_reader.hpp"
+#include "crs.hpp"
+#include "text.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace hybridfusion {
+namespace {
+
+constexpr std::string_view kAgain = "copy or export the file again";
+constexpr std::uint64_t kHeader10 = 227;
+constexpr std::uint64_t kHeader14 = 375;
+constexpr std::uint64_t kVlrBytes = 54;
+constexpr std::uint64_t kEvlrBytes = 60;
+constexpr std::uint64_t kMaxRecordBytes = std::uint64_t{1} << 24;
+
+/// The parts of the records that say what the coordinates mean.
+struct CrsRecords {
+  std::string wkt = {};
+  std::vector<std::byte> geo_keys = {};  ///< GeoKeyDirectoryTag.
+  std::string geo_ascii = {};            ///< GeoAsciiParamsTag.
+};
+
+[[nodiscard]] std::string text_of(std::span<const std::byte> bytes) {
+  const std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  return text.substr(0, text.find('\0'));
+}
+
+/// Place of the extra byte `source` behind the fields of the point format; 0 when there is none.
+[[nodiscard]] std::size_t find_source(std::span<const std::byte> descriptors, std::size_t begin) {
+  constexpr std::size_t kDescriptorBytes = 192;
+  constexpr std::array<std::size_t, 11> kSizes = {0, 1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
+  for (; descriptors.size() >= kDescriptorBytes; descriptors = descriptors.subspan(192)) {
+    const auto type = load<std::uint8_t>(descriptors.data() + 2);
+    const auto options = load<std::uint8_t>(descriptors.data() + 3);
+    if (type == 1 && text_of(descriptors.subspan(4, 32)) == "source") return begin;
+    if (type >= kSizes.size()) return 0;
+    begin += type == 0 ? options : kSizes[type];
+  }
+  return 0;
+}
+
+void take_record(std::string_view user,
+                 std::uint16_t id,
+                 std::span<const std::byte> data,
+                 LasHeader& header,
+                 CrsRecords& records) {
+  if (user == "LASF_Projection" && id == 2112) records.wkt = text_of(data);
+  if (user == "LASF_Projection" && id == 34735) records.geo_keys.assign(data.begin(), data.end());
+  if (user == "LASF_Projection" && id == 34737) {
+    records.geo_ascii.assign(reinterpret_cast<const char*>(data.data()), data.size());
+  }
+  if (user == "LASF_Spec" && id == 4) {
+    header.source_byte = find_source(data, kLasLayouts[header.point_format].bytes);
+    if (header.source_byte >= header.point_bytes) header.source_byte = 0;
+  }
+}
+
+/// GeoTIFF 1.0, section 2.4: four numbers for each key.
+[[nodiscard]] CrsDescription crs_of_keys(const CrsRecords& records) {
+  constexpr std::uint16_t kGeographic = 2048;
+  constexpr std::uint16_t kProjected = 3072;
+  constexpr std::uint16_t kLinearUnits = 3076;
+  constexpr std::uint16_t kUserDefined = 32767;
+  constexpr std::uint16_t kAsciiTag = 34737;
+  ByteReader reader(records.geo_keys);
+  reader.skip(3 * sizeof(std::uint16_t));
+  const auto count = reader.read<std::uint16_t>();
+  int projected = 0;
+  int geographic = 0;
+  int units = 0;
+  std::string citation;
+  for (std::uint16_t i = 0; i < count && !reader.failed(); ++i) {
+    const auto key = reader.read<std::uint16_t>();
+    const auto place = reader.read<std::uint16_t>();
+    const auto length = reader.read<std::uint16_t>();
+    const auto value = reader.read<std::uint16_t>();
+    if (key == kProjected && value != kUserDefined) projected = value;
+    if (key == kGeographic && value != kUserDefined) geographic = value;
+    if (key == kLinearUnits) units = value;
+    if (place == kAsciiTag && citation.empty() && value < records.geo_ascii.size()) {
+      citation = printable(records.geo_ascii.substr(value, length));
+    }
+  }
+  CrsDescription crs;
+  if (const int code = projected != 0 ? projected : geographic; code != 0) {
+    if (auto known = describe_crs(code)) return *known;
+  }
+  crs.name = citation;
+  if (units == 9002) crs.metres_per_unit = 0.3048;
+  if (units == 9003) crs.metres_per_unit = 1200.0 / 3937.0;  // US survey foot
+  return crs;
+}
+
+Expected<void> read_vlrs(InputFile& file,
+                         std::uint64_t begin,
+                         std::uint32_t count,
+                         LasHeader& header,
+                         CrsRecords& records) {
+  file.seek(begin);
+  // A count that lies ends where the points begin.
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if (file.position() + kVlrBytes > header.points_begin) return {};
+    HF_TRY(const auto head, file.take(kVlrBytes));
+    const std::string user = text_of(head.subspan(2, 16));
+    const auto id = load<std::uint16_t>(head.data() + 18);
+    const auto bytes = load<std::uint16_t>(head.data() + 20);
+    if (bytes > header.points_begin - file.position()) return {};
+    HF_TRY(const auto data, file.take(bytes));
+    take_record(user, id, data, header, records);
+  }
+  return {};
+}
+
+Expected<void> read_evlrs(InputFile& file,
+                          std::uint64_t begin,
+                          std::uint32_t count,
+                          LasHeader& header,
+                          CrsRecords& records) {
+  if (begin < header.points_begin || begin >= file.size()) return {};
+  file.seek(begin);
+  for (std::uint32_t i = 0; i < count && file.remaining() >= kEvlrBytes; ++i) {
+    HF_TRY(const auto head, file.take(kEvlrBytes));
+    const std::string user = text_of(head.subspan(2, 16));
+    const auto id = load<std::uint16_t>(head.data() + 18);
+    const auto bytes = load<std::uint64_t>(head.data() + 20);
+    if (bytes > file.remaining()) return {};
+    if (user != "LASF_Projection" || bytes > kMaxRecordBytes) {
+      if (auto skipped = file.skip(bytes); !skipped) return skipped;
+      continue;
+    }
+    HF_TRY(const auto data, file.take(bytes));
+    take_record(user, id, data, header, records);
+  }
+  return {};
+}
+
+Expected<void> check(const InputFile& file, const LasHeader& header) {
+  if ((header.point_format & 0xc0U) != 0) {
+    return file.malformed("a compressed file (LAZ)", "unpack it to LAS first (laszip, pdal)");
+  }
+  if (header.point_format >= kLasLayouts.size() ||
+      header.point_bytes < kLasLayouts[header.point_format].bytes) {
+    return file.malformed(
+        fmt::format(
+            "point format {} with {} bytes a point", header.point_format, header.point_bytes),
+        kAgain);
+  }
+  if (header.points_begin > file.size() ||
+      header.points > (file.size() - header.points_begin) / header.point_bytes) {
+    return file.malformed(
+        fmt::format("truncated: {} points of {} bytes are announced from byte {} of {}",
+                    header.points,
+                    header.point_bytes,
+                    header.points_begin,
+                    file.size()),
+        kAgain);
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    const double largest = std::abs(header.scale[axis]) * 2147483648.0;
+    if (!(std::isfinite(largest) && largest > 0.0 && std::isfinite(header.offset[axis]))) {
+      return file.malformed("scale or offset of the coordinates is not usable", kAgain);
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+Expected<LasHeader> read_las_header(InputFile& file) {
+  if (file.size() < kHeader10) {
+    return file.malformed("not a LAS file (shorter than its header)", kAgain);
+  }
+  HF_TRY(const auto taken, file.take(std::min(file.size(), kHeader14)));
+  const std::vector<std::byte> bytes(taken.begin(), taken.end());
+  if (text_of(std::span(bytes).first(4)) != "LASF") {
+    return file.malformed("not a LAS file (it does not start with 'LASF')", "give a .las file");
+  }
+  const auto at = [&bytes]<class T>(T, std::size_t place) { return load<T>(bytes.data() + place); };
+  const std::uint8_t minor = at(std::uint8_t{}, 25);
+  const std::uint16_t header_bytes = at(std::uint16_t{}, 94);
+  const bool is14 = minor >= 4 && header_bytes >= kHeader14 && bytes.size() >= kHeader14;
+  if (at(std::uint8_t{}, 24) != 1 || minor > 4 || (minor == 4 && !is14)) {
+    return file.malformed(
+        fmt::format("LAS version {}.{} with a header of {} bytes; 1.0 to 1.4 are read",
+                    at(std::uint8_t{}, 24),
+                    minor,
+                    header_bytes),
+        kAgain);
+  }
+  LasHeader header = {.point_format = at(std::uint8_t{}, 104),
+                      .point_bytes = at(std::uint16_t{}, 105),
+                      .points = at(std::uint32_t{}, 107),
+                      .points_begin = at(std::uint32_t{}, 96),
+                      .absolute_time = (at(std::uint16_t{}, 6) & 1U) != 0};
+  if (is14 && at(std::uint64_t{}, 247) != 0) header.points = at(std::uint64_t{}, 247);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    header.scale[axis] = at(double{}, 131 + 8 * axis);
+    header.offset[axis] = at(double{}, 155 + 8 * axis);
+  }
+  if (auto sound = check(file, header); !sound) return std::unexpected(sound.error());
+  CrsRecords records;
+  auto read = read_vlrs(file, header_bytes, at(std::uint32_t{}, 100), header, records);
+  if (read && is14) {
+    read = read_evlrs(file, at(std::uint64_t{}, 235), at(std::uint32_t{}, 243), header, records);
+  }
+  if (!read) return std::unexpected(read.error());
+  if (!records.wkt.empty()) {
+    header.crs = describe_crs(records.wkt);
+  } else if (!records.geo_keys.empty()) {
+    header.crs = crs_of_keys(records);
+  }
+  return header;
+}
+
+}  // namespace hybridfusion
