@@ -57,6 +57,7 @@ void add_evaluate_command(CLI::App& app, Command& chosen);
 void add_convert_command(CLI::App& app, Command& chosen);
 void add_config_command(CLI::App& app, Command& chosen);
 void add_simulate_command(CLI::App& app, Command& chosen);
+void add_view_command(CLI::App& app, Command& chosen);
 
 /// `--set` keys of the simulator; it is no stage of the pipeline, so its options are apart.
 inline constexpr std::string_view kSimulationPrefix = "simulation.";

@@ -102,7 +102,9 @@ int run_stages(Session& session,
     results[outcome->stage] = json_of(*outcome);
     if (!session.globals.json) print_summary(*outcome);
   }
-  if (auto report = write_report(project); !report) return report_error(session, report.error());
+  if (auto report = write_report(project, session.context); !report) {
+    return report_error(session, report.error());
+  }
   const int code = refused ? kRefused : kDone;
   if (session.globals.json) {
     print_json({{"status", refused ? "refused" : "ok"},

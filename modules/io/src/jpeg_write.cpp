@@ -62,7 +62,7 @@ struct DestroyEncoder {
 
 }  // namespace
 
-Expected<void> write_jpeg(const std::filesystem::path& path, const Image8& image, int quality) {
+Expected<std::string> encode_jpeg(const Image8& image, int quality) {
   HF_CHECK(image.width > 0 && image.height > 0 && (image.channels == 1 || image.channels == 3));
   HF_CHECK(image.pixels.size() ==
            static_cast<std::size_t>(image.width) * image.height * image.channels);
@@ -72,12 +72,19 @@ Expected<void> write_jpeg(const std::filesystem::path& path, const Image8& image
   encoder->info.client_data = encoder.get();
   encoder->errors.error_exit = on_fatal;
   if (!encode(*encoder, image, quality)) {
-    return fail(
-        ErrorCode::kIo,
-        fmt::format("cannot encode {} ({}); reduce the image", path.string(), encoder->fatal));
+    return fail(ErrorCode::kIo,
+                fmt::format("cannot encode an image of {} x {} px ({}); reduce it",
+                            image.width,
+                            image.height,
+                            encoder->fatal));
   }
-  return write_file_atomically(
-      path, std::string_view(reinterpret_cast<const char*>(encoder->bytes), encoder->size));
+  return std::string(reinterpret_cast<const char*>(encoder->bytes), encoder->size);
+}
+
+Expected<void> write_jpeg(const std::filesystem::path& path, const Image8& image, int quality) {
+  auto bytes = encode_jpeg(image, quality);
+  if (!bytes) return std::unexpected(std::move(bytes.error()).with_context(path.string()));
+  return write_file_atomically(path, *bytes);
 }
 
 }  // namespace hybridfusion

@@ -135,6 +135,23 @@ Expected<PlacedCloud> read_placed_ply(const std::filesystem::path& path) {
   return finished(path, std::move(builder).finish_placed());
 }
 
+Expected<void> read_ply_batches(const std::filesystem::path& path,
+                                std::size_t batch_points,
+                                const std::function<Expected<void>(PointCloud&&)>& visit) {
+  HF_CHECK(batch_points > 0);
+  HF_TRY(PlyReader reader, PlyReader::open(path));
+  HF_TRY(const PlyElement* vertices, advance_to(reader, "vertex"));
+  PlyElement batch = *vertices;
+  for (std::uint64_t done = 0; done < vertices->count; done += batch.count) {
+    batch.count = std::min<std::uint64_t>(batch_points, vertices->count - done);
+    CloudBuilder builder = builder_for(batch);
+    if (auto read = read_vertices(reader, batch, builder); !read) return read;
+    HF_TRY(PointCloud cloud, finish(reader, std::move(builder)));
+    if (auto visited = visit(std::move(cloud)); !visited) return visited;
+  }
+  return {};
+}
+
 Expected<TriangleMesh> read_ply_mesh(const std::filesystem::path& path) {
   HF_TRY(PlyReader reader, PlyReader::open(path));
   TriangleMesh mesh;

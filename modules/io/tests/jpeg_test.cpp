@@ -54,6 +54,13 @@ using testing::TempFolder;
   return result;
 }
 
+TEST(Jpeg, EncodedBytesAreThoseThatAreWritten) {
+  const TempFolder folder;
+  const Image8 image = sample_image();
+  ASSERT_TRUE(write_jpeg(folder.path() / "a.jpg", image, 90));
+  EXPECT_EQ(encode_jpeg(image, 90).value(), testing::content_of(folder.path() / "a.jpg"));
+}
+
 TEST(Jpeg, PixelsComeBackUpToCompression) {
   const TempFolder folder;
   ASSERT_TRUE(write_jpeg(folder.path() / "a.jpg", sample_image(), 98));

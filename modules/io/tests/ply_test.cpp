@@ -30,6 +30,38 @@ TEST(Ply, CloudReadsBackBitForBitInBothFormats) {
   }
 }
 
+TEST(Ply, BatchesTogetherAreTheCloud) {
+  const TempFolder folder;
+  const PointCloud cloud = testing::sample_cloud(100);
+  const auto path = folder.path() / "cloud.ply";
+  ASSERT_TRUE(write_ply(path, cloud));
+  PointCloud together;
+  std::vector<std::size_t> sizes;
+  const auto read = read_ply_batches(path, 33, [&](PointCloud&& batch) -> Expected<void> {
+    sizes.push_back(batch.size());
+    together = concatenate(std::move(together), batch);
+    return {};
+  });
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_THAT(sizes, ElementsAre(33U, 33U, 33U, 1U));
+  testing::expect_equal(together, cloud);
+}
+
+TEST(Ply, BatchesEndWithTheVisitorsErrorOrThatOfTheFile) {
+  const TempFolder folder;
+  const auto path = folder.path() / "cloud.ply";
+  ASSERT_TRUE(write_ply(path, testing::sample_cloud(100)));
+  int calls = 0;
+  const auto stopped = read_ply_batches(path, 10, [&](PointCloud&&) -> Expected<void> {
+    return ++calls == 2 ? Expected<void>(fail(ErrorCode::kCancelled, "enough")) : Expected<void>();
+  });
+  EXPECT_EQ(stopped.error().code, ErrorCode::kCancelled);
+  EXPECT_EQ(calls, 2);
+  std::filesystem::resize_file(path, std::filesystem::file_size(path) - 1);
+  const auto cut = read_ply_batches(path, 10, [](PointCloud&&) -> Expected<void> { return {}; });
+  EXPECT_EQ(cut.error().code, ErrorCode::kParse);
+}
+
 TEST(Ply, CloudWithoutChannelsStaysWithout) {
   const TempFolder folder;
   const PointCloud cloud = {.points = {{1, 2, 3}}};

@@ -20,12 +20,25 @@ namespace {
 
 using Boundary = std::vector<Eigen::Vector2f>;
 
+/// Shares of the LiDAR boundary by distance to the vision boundary; the last bin holds the rest.
+Json histogram_json(const std::vector<float>& distances_m) {
+  constexpr double kBin_m = 0.1;
+  constexpr std::size_t kBins = 30;
+  std::vector<std::size_t> counts(kBins, 0);
+  for (const float distance_m : distances_m) {
+    const double bin = std::isfinite(distance_m) ? distance_m / kBin_m : kBins;
+    ++counts[static_cast<std::size_t>(std::min(bin, kBins - 1.0))];
+  }
+  return {{"bin_m", kBin_m}, {"counts", counts}};
+}
+
 Json json_of(const BoundaryAccuracy& accuracy) {
   return {{"accuracy_m", accuracy.mean_m},
           {"share_with_partner", accuracy.share_with_partner},
           {"trimmed_mean_m", accuracy.trimmed_mean_m},
           {"num_vision_boundary_points", accuracy.num_vision},
-          {"num_lidar_boundary_points", accuracy.num_lidar}};
+          {"num_lidar_boundary_points", accuracy.num_lidar},
+          {"histogram", histogram_json(accuracy.distances_m)}};
 }
 
 /// Boundary accuracy of L under several poses against one boundary of G.

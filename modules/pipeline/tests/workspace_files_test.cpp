@@ -1,5 +1,5 @@
-#include "html.hpp"
 #include "positions_csv.hpp"
+#include "report/html.hpp"
 #include "workspace_data.hpp"
 
 #include <filesystem>

@@ -4,6 +4,7 @@
 #include <hybridfusion/core/photo.hpp>
 
 #include <filesystem>
+#include <string>
 
 namespace hybridfusion {
 
@@ -19,6 +20,9 @@ struct ImageSize {
 
 /// Size from the frame header; errors as decode_jpeg.
 [[nodiscard]] Expected<ImageSize> read_jpeg_size(const std::filesystem::path& path);
+
+/// JPEG bytes of an RGB or greyscale image, 4:4:4. @param quality  1..100.
+[[nodiscard]] Expected<std::string> encode_jpeg(const Image8& image, int quality);
 
 /// Writes RGB or greyscale, 4:4:4. @param quality  1..100.
 [[nodiscard]] Expected<void> write_jpeg(const std::filesystem::path& path,

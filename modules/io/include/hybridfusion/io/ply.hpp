@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,6 +38,15 @@ struct PlyTable {
 /// @returns kNotFound for a missing file; kParse, naming the file, the cause and the next step, for
 /// an empty, truncated or non-PLY file and for non-finite coordinates.
 [[nodiscard]] Expected<PointCloud> read_ply(const std::filesystem::path& path);
+
+/// Reads the same points in the same order in clouds of at most `batch_points`, so that a file
+/// larger than memory can be worked through. Points before an error have been visited.
+/// @pre batch_points > 0. @returns errors as read_ply, and those of `visit`, which ends the
+/// reading.
+[[nodiscard]] Expected<void> read_ply_batches(
+    const std::filesystem::path& path,
+    std::size_t batch_points,
+    const std::function<Expected<void>(PointCloud&&)>& visit);
 
 /// Vertices and faces; polygons become fans; a scalar face property `label` fills the labels.
 [[nodiscard]] Expected<TriangleMesh> read_ply_mesh(const std::filesystem::path& path);

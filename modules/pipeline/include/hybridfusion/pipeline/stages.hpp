@@ -94,7 +94,9 @@ struct CloudPair {
                                                    const PipelineOptions& options,
                                                    const RunContext& ctx);
 
-/// Draws report/index.html from the files of the workspace.
-[[nodiscard]] Expected<void> write_report(const Project& project);
+/// Draws report/index.html, one self-contained page, from the files of the workspace, whichever
+/// stages ran. A damaged file costs its figures, with a warning, not the report.
+/// @returns kIo; kCancelled.
+[[nodiscard]] Expected<void> write_report(const Project& project, const RunContext& ctx);
 
 }  // namespace hybridfusion

@@ -103,15 +103,31 @@ std::string html_table(const Json& object) {
 }
 
 std::string html_head(std::string_view title) {
+  constexpr std::string_view kStyle = R"css(
+body{font:15px/1.5 system-ui,"DejaVu Sans",sans-serif;max-width:60rem;margin:0 auto;padding:1.5rem 1.2rem 3rem;color:#1f2328;background:#fff}
+h1{font-size:1.5rem;margin:0 0 1rem;overflow-wrap:anywhere}h2{font-size:1.25rem;margin:2.2rem 0 .6rem;padding-bottom:.25rem;border-bottom:2px solid #d8dee4}
+h3{font-size:1rem;margin:0 0 .5rem}h4{font-size:.92rem;margin:.9rem 0 .2rem}p.sub{margin:.3rem 0 0;font-size:.85rem;color:#57606a}
+figure{margin:0 0 1.6rem;padding:1rem;border:1px solid #d8dee4;border-radius:8px;overflow-x:auto;break-inside:avoid}
+figcaption{margin-top:.6rem;font-size:.87rem;color:#3d444d;max-width:46rem}.src{color:#6e7781;font-size:.8rem}code{font-size:.95em}
+table{border-collapse:collapse;margin:.2rem 0 .6rem;font-size:.9rem}td,th{border:1px solid #d8dee4;padding:.15rem .6rem;text-align:left}
+th{background:#f6f8fa;font-weight:600}td.v{text-align:right;font-variant-numeric:tabular-nums}td.quiet{color:#6e7781}tr.sum td{font-weight:600}
+td.green{background:#cdeccd}td.amber{background:#fbe7b5}td.red{background:#f6c9c4}
+.verdict{display:flex;gap:.9rem;align-items:center;padding:.7rem 1rem;border-radius:8px;margin:0 0 1rem}.verdict b{font-size:1.15rem;letter-spacing:.04em}
+.verdict.green{background:#cdeccd}.verdict.amber{background:#fbe7b5}.verdict.red{background:#f6c9c4}
+nav{margin:.4rem 0 0}nav a{display:inline-block;margin-right:1rem;color:#0969da;text-decoration:none}
+svg{display:block;max-width:100%;height:auto;margin:.3rem 0}svg text{font:11px "DejaVu Sans",sans-serif;fill:#3d444d}svg text.t{font-size:12px;fill:#1f2328}
+svg .g{stroke:#e3e7eb}svg.map{background:#f4f5f7;border-radius:4px}img.wide{display:block;width:100%;border-radius:4px}
+.ramp{display:flex;align-items:center;font-size:.82rem;margin:.3rem 0}.ramp i{width:12px;height:11px}.ramp span{margin:0 .5rem}.ramp span:first-child{margin-left:0}
+.keys{font-size:.85rem;margin:.3rem 0}.keys span{margin-right:.9rem;white-space:nowrap}.keys i{display:inline-block;width:11px;height:11px;border-radius:2px;margin-right:.35rem}
+details{margin:.4rem 0}summary{cursor:pointer;color:#0969da}footer{margin-top:2rem;color:#6e7781;font-size:.82rem}
+@media print{details{display:none}nav{display:none}}
+)css";
   return fmt::format(
-      "<!doctype html><html lang=en><head><meta charset=utf-8><title>{0}</title><style>"
-      "body{{font:15px/1.5 sans-serif;max-width:62rem;margin:2rem auto;padding:0 1rem;color:#222}}"
-      "table{{border-collapse:collapse;margin:.5rem 0 1.5rem}}td,th{{border:1px solid #ccc;"
-      "padding:.15rem .6rem;text-align:left}}td.v{{text-align:right;"
-      "font-variant-numeric:tabular-nums}}.green{{background:#cdeccd}}.amber{{background:#fbe7b5}}"
-      ".red{{background:#f6c9c4}}svg{{background:#fafafa;border:1px solid #ccc}}"
-      "</style></head><body><h1>{0}</h1>\n",
-      escaped(title));
+      "<!doctype html><html lang=en><head><meta charset=utf-8><meta name=viewport "
+      "content='width=device-width'><title>{0}</title><style>{1}</style></head><body><h1>{0}</"
+      "h1>\n",
+      escaped(title),
+      kStyle);
 }
 
 }  // namespace hybridfusion

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "json_text.hpp"
+#include "../json_text.hpp"
 
 #include <string>
 #include <string_view>

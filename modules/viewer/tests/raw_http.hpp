@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+namespace hybridfusion::testing {
+
+struct HttpAnswer {
+  int status = 0;  ///< 0: closed without an answer.
+  std::string headers = {};
+  std::string body = {};
+};
+
+/// Sends these very bytes to the port and reads until the server closes: no client library that
+/// would tidy up the path first.
+[[nodiscard]] HttpAnswer ask(int port, const std::string& bytes);
+
+}  // namespace hybridfusion::testing
