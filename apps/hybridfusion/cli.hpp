@@ -57,6 +57,8 @@ void add_evaluate_command(CLI::App& app, Command& chosen);
 void add_convert_command(CLI::App& app, Command& chosen);
 void add_config_command(CLI::App& app, Command& chosen);
 void add_simulate_command(CLI::App& app, Command& chosen);
+void add_doctor_command(CLI::App& app, Command& chosen);
+void add_completion_command(CLI::App& app, Command& chosen);
 
 /// `--set` keys of the simulator; it is no stage of the pipeline, so its options are apart.
 inline constexpr std::string_view kSimulationPrefix = "simulation.";
@@ -64,8 +66,11 @@ inline constexpr std::string_view kSimulationPrefix = "simulation.";
 /// Rows of the option reference for the simulator.
 [[nodiscard]] std::string simulation_reference();
 
-/// The end of every --help: an example and the options common to all commands.
-[[nodiscard]] std::string help_footer(const std::string& example);
+/// The end of every --help: what the command reads and writes, an example, and the options common
+/// to all commands.
+[[nodiscard]] std::string help_footer(const std::string& example,
+                                      const std::string& reads = {},
+                                      const std::string& writes = {});
 
 /// Prints the error (on stdout as JSON with --json) and returns its exit code.
 [[nodiscard]] int report_error(const Session& session, const Error& error);

@@ -42,7 +42,9 @@ void add_convert_command(CLI::App& app, Command& chosen) {
   auto arguments = std::make_shared<ConvertArguments>();
   command->add_option("in", arguments->in, "Cloud to read")->required();
   command->add_option("out", arguments->out, "Cloud to write")->required();
-  command->footer(help_footer("hybridfusion convert cloud.pcd cloud.ply"));
+  command->footer(help_footer("hybridfusion convert cloud.pcd cloud.ply",
+                              "IN: .ply .pcd .xyz .txt .csv .pts",
+                              "OUT: .ply .pcd .xyz .las; it is replaced when it is complete"));
   command->callback([arguments, &chosen] {
     chosen = [arguments](Session& session) { return convert(*arguments, session); };
   });

@@ -22,7 +22,11 @@ void add_reconstruct_command(CLI::App& app, Command& chosen) {
   auto arguments = std::make_shared<ReconstructArguments>();
   command->add_option("--images", arguments->images, "Folder of JPEG photos with GNSS")->required();
   command->add_option("--output", arguments->output, "Workspace folder")->required();
-  command->footer(help_footer("hybridfusion reconstruct --images flight/ --output result/"));
+  command->footer(
+      help_footer("hybridfusion reconstruct --images flight/ --output result/",
+                  "IMAGES: *.jpg, *.jpeg with GNSS and focal length in EXIF or XMP",
+                  "OUTPUT/vision/cameras.txt, images.txt, points3D.txt, positions.csv, "
+                  "origin.json,\n  dense.ply; OUTPUT/config.yaml, run.json, report/index.html"));
   command->callback([arguments, &chosen] {
     chosen = [arguments](Session& session) {
       return run_stages(session, arguments->output, {}, {[&](Project& project) {

@@ -1,4 +1,5 @@
 #include "json_text.hpp"
+#include "recording_choice.hpp"
 #include "stage_runner.hpp"
 #include "workspace_data.hpp"
 
@@ -16,26 +17,11 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
-#include <system_error>
 
 #include <fmt/format.h>
 
 namespace hybridfusion {
 namespace {
-
-/// An option that is set wins over sensors.yaml, which wins over detection.
-RecordingOptions recording_options(const RecordingOptions& options, const SensorConfig& sensors) {
-  RecordingOptions result = options;
-  const auto fill = [](std::string& option, const std::optional<std::string>& value) {
-    if (option.empty() && value) option = *value;
-  };
-  fill(result.lidar_topic, sensors.lidar_topic);
-  fill(result.imu_topic, sensors.imu_topic);
-  fill(result.gnss_topic, sensors.gnss_topic);
-  fill(result.point_time_field, sensors.point_time_field);
-  fill(result.point_time_unit, sensors.point_time_unit);
-  return result;
-}
 
 LidarRig rig_of(const SensorConfig& sensors) {
   LidarRig rig;
@@ -250,10 +236,7 @@ Expected<StageOutcome> map_stage(Project& project,
                                  const std::filesystem::path& bag,
                                  const std::optional<std::filesystem::path>& sensors,
                                  const RunContext& ctx) {
-  std::optional<std::filesystem::path> sensors_path = sensors;
-  std::error_code code;
-  const std::filesystem::path beside = bag.parent_path() / "sensors.yaml";
-  if (!sensors && std::filesystem::is_regular_file(beside, code)) sensors_path = beside;
+  const auto sensors_path = sensors_file(bag, sensors);
   SensorConfig config;
   if (sensors_path) {
     HF_TRY(config, read_sensors_yaml(*sensors_path));
