@@ -32,7 +32,7 @@ for command in "${commands[@]}"; do
     completed hybridfusion "$command" "$option" | grep -qx -- "$option" || complain "bash: $command $option"
     grep -q -- "'$option\[" "$dir/completion.zsh" || complain "zsh: $command $option"
     if [ -e "$page" ]; then
-      zgrep -q -- "${option//-/\\\\\\\\-}" "$page" || complain "manual: $command $option"
+      zcat "$page" | sed 's/\\-/-/g' | grep -q -- "$option" || complain "manual: $command $option"
     fi
   done
 done
