@@ -58,6 +58,8 @@ void add_convert_command(CLI::App& app, Command& chosen);
 void add_config_command(CLI::App& app, Command& chosen);
 void add_simulate_command(CLI::App& app, Command& chosen);
 void add_view_command(CLI::App& app, Command& chosen);
+void add_doctor_command(CLI::App& app, Command& chosen);
+void add_completion_command(CLI::App& app, Command& chosen);
 
 /// `--set` keys of the simulator; it is no stage of the pipeline, so its options are apart.
 inline constexpr std::string_view kSimulationPrefix = "simulation.";
@@ -68,11 +70,13 @@ inline constexpr std::string_view kSimulationPrefix = "simulation.";
 /// What --bag takes.
 inline constexpr const char* kRecordingHelp =
     "Recording of LiDAR, IMU and GNSS: ROS 1 .bag, ROS 2 bag folder, .db3 or .mcap, one of these "
-    "as "
-    ".zst, or a folder of .pcd scans with imu.csv";
+    "as .zst, or a folder of .pcd scans with imu.csv";
 
-/// The end of every --help: an example and the options common to all commands.
-[[nodiscard]] std::string help_footer(const std::string& example);
+/// The end of every --help: what the command reads and writes, an example, and the options common
+/// to all commands.
+[[nodiscard]] std::string help_footer(const std::string& example,
+                                      const std::string& reads = {},
+                                      const std::string& writes = {});
 
 /// Prints the error (on stdout as JSON with --json) and returns its exit code.
 [[nodiscard]] int report_error(const Session& session, const Error& error);

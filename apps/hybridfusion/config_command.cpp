@@ -16,7 +16,11 @@ void add_config_command(CLI::App& app, Command& chosen) {
       "applied first, so it also checks a file.");
   auto markdown = std::make_shared<bool>(false);
   command->add_flag("--markdown", *markdown, "Reference table: unit, default, range, meaning");
-  command->footer(help_footer("hybridfusion config --markdown > options.md"));
+  command->footer(
+      help_footer("hybridfusion config > options.yaml\n  hybridfusion config --set "
+                  "registration.max_offset_m=40",
+                  "the file of --config, if given",
+                  "nothing; the options on stdout"));
   command->callback([markdown, &chosen] {
     chosen = [markdown](Session& session) {
       fmt::print(

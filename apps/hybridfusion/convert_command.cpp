@@ -206,7 +206,9 @@ void add_convert_command(CLI::App& app, Command& chosen) {
   command->add_option(
       "--times", arguments->times, "Times of the .kitti poses, one on each line, read or written");
   command->footer(
-      help_footer("hybridfusion convert result/fused/fused.ply --dsm dsm.tif --ortho ortho.tif"));
+      help_footer("hybridfusion convert result/fused/fused.ply --dsm dsm.tif --ortho ortho.tif",
+                  "IN: .ply .pcd .las .xyz .txt .csv .pts, or a trajectory .tum .kitti",
+                  "OUT: .ply .pcd .xyz .las, .tum .kitti; replaced when it is complete"));
   command->callback([arguments, &chosen] {
     chosen = [arguments](Session& session) { return convert(*arguments, session); };
   });

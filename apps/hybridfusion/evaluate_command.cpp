@@ -66,9 +66,12 @@ void add_evaluate_command(CLI::App& app, Command& chosen) {
   vision->needs(lidar)->excludes(workspace);
   lidar->needs(vision)->excludes(workspace);
   transform->needs(vision);
-  command->footer(
-      help_footer("hybridfusion evaluate --workspace result/ --truth dataset/truth/\n"
-                  "  hybridfusion evaluate --vision G.ply --lidar L.ply --transform T.json"));
+  command->footer(help_footer(
+      "hybridfusion evaluate --workspace result/ --truth dataset/truth/\n"
+      "  hybridfusion evaluate --vision G.ply --lidar L.ply --transform T.json",
+      "WORKSPACE and --truth (dataset.json, cameras.csv, trajectory_imu.tum, mesh.ply,\n  "
+      "samples.ply, as far as they exist); or two clouds and a transform",
+      "WORKSPACE/evaluation/metrics.json, report/index.html, run.json; nothing for two clouds"));
   command->callback([arguments, &chosen] {
     if (arguments->workspace.empty() && arguments->vision.empty()) {
       throw CLI::RequiredError("--workspace, or --vision and --lidar");

@@ -88,6 +88,8 @@ int main(int argc, char** argv) {
   add_config_command(app, chosen);
   add_simulate_command(app, chosen);
   add_view_command(app, chosen);
+  add_doctor_command(app, chosen);
+  add_completion_command(app, chosen);
   app.footer(
       "Example:\n"
       "  hybridfusion run --images flight/ --bag street.bag --output result/\n"

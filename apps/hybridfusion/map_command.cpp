@@ -27,7 +27,10 @@ void add_map_command(CLI::App& app, Command& chosen) {
   command->add_option("--output", arguments->output, "Workspace folder")->required();
   command->add_option(
       "--sensors", arguments->sensors, "sensors.yaml (default: the one beside the bag)");
-  command->footer(help_footer("hybridfusion map --bag street.bag --output result/"));
+  command->footer(help_footer("hybridfusion map --bag street.bag --output result/",
+                              "BAG: PointCloud2 or Livox CustomMsg, Imu, NavSatFix; sensors.yaml",
+                              "OUTPUT/lidar/trajectory.tum, map.ply, quality.csv, gnss.json (with "
+                              "GNSS);\n  OUTPUT/config.yaml, run.json, report/index.html"));
   command->callback([arguments, &chosen] {
     chosen = [arguments](Session& session) {
       std::optional<std::filesystem::path> sensors;

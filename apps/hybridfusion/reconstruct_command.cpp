@@ -30,7 +30,11 @@ void add_reconstruct_command(CLI::App& app, Command& chosen) {
                       "Folder of a COLMAP text model (cameras.txt, images.txt, points3D.txt) whose "
                       "poses are used as they are; placed by the photos' GNSS, or by origin.json "
                       "beside it when it is in metres east, north, up");
-  command->footer(help_footer("hybridfusion reconstruct --images flight/ --output result/"));
+  command->footer(
+      help_footer("hybridfusion reconstruct --images flight/ --output result/",
+                  "IMAGES: *.jpg, *.jpeg with GNSS and focal length in EXIF or XMP",
+                  "OUTPUT/vision/cameras.txt, images.txt, points3D.txt, positions.csv, "
+                  "origin.json,\n  dense.ply; OUTPUT/config.yaml, run.json, report/index.html"));
   command->callback([arguments, &chosen] {
     chosen = [arguments](Session& session) {
       std::optional<std::filesystem::path> poses;

@@ -71,8 +71,13 @@ void add_register_command(CLI::App& app, Command& chosen) {
                    "hybrid: ours; paper: the published chain; gicp, ndt: baselines (default "
                    "hybrid)")
       ->check(CLI::IsMember({"hybrid", "paper", "gicp", "ndt"}));
-  command->footer(
-      help_footer("hybridfusion register --vision G.ply --lidar L.ply --output result/"));
+  command->footer(help_footer(
+      "hybridfusion register --vision G.ply --lidar L.ply --output result/\n  hybridfusion "
+      "register --vision G.ply --lidar L.ply --output result/ --max-yaw-deg 180",
+      "VISION, LIDAR: clouds in metres, z up; INITIAL: JSON; beside clouds of a workspace also\n  "
+      "origin.json, gnss.json and trajectory.tum",
+      "OUTPUT/registration/registration.json; unless refused OUTPUT/fused/fused.ply, fused.las;\n  "
+      "OUTPUT/config.yaml, run.json, report/index.html"));
   command->callback([arguments, &chosen] {
     chosen = [arguments](Session& session) { return register_clouds(*arguments, session); };
   });

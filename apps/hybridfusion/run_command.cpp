@@ -67,8 +67,11 @@ void add_run_command(CLI::App& app, Command& chosen) {
   command->add_option("--truth", arguments->truth, "Truth folder to evaluate against");
   command->add_option("--from", arguments->from, "Run this stage and all behind it again")
       ->check(CLI::IsMember(std::vector<std::string>(kStages.begin(), kStages.end())));
-  command->footer(
-      help_footer("hybridfusion run --images flight/ --bag street.bag --output result/"));
+  command->footer(help_footer(
+      "hybridfusion run --images flight/ --bag street.bag --output result/",
+      "IMAGES: JPEG photos with GNSS; BAG: LiDAR, IMU and GNSS; sensors.yaml; TRUTH, if given",
+      "OUTPUT: vision/, lidar/, registration/, fused/fused.ply and fused.las,\n  "
+      "evaluation/metrics.json, report/index.html, config.yaml, run.json"));
   command->callback([arguments, &chosen] {
     chosen = [arguments](Session& session) { return run(*arguments, session); };
   });

@@ -55,13 +55,17 @@ Json json_of(const StageOutcome& outcome) {
 
 }  // namespace
 
-std::string help_footer(const std::string& example) {
+std::string help_footer(const std::string& example,
+                        const std::string& reads,
+                        const std::string& writes) {
   return fmt::format(
-      "Example:\n  {}\n\n"
+      "{}{}Example:\n  {}\n\n"
       "Options common to all commands:\n"
       "  --config FILE --set group.option=value --threads N --seed N --quiet --verbose --json\n"
       "Exit codes: 0 done, 2 wrong usage, 3 unusable input, 4 no reliable result, 5 out of disk\n"
       "or memory, 70 internal error, 130/143 interrupted (run again to resume).",
+      reads.empty() ? "" : "Reads:\n  " + reads + "\n\n",
+      writes.empty() ? "" : "Writes:\n  " + writes + "\n\n",
       example);
 }
 

@@ -20,6 +20,8 @@ sigset_t ending_signals() {
 }  // namespace
 
 SignalWatch::SignalWatch() {
+  // A file that grows past a limit is then an error of write(), told with path and bytes.
+  ::signal(SIGXFSZ, SIG_IGN);
   const sigset_t set = ending_signals();
   pthread_sigmask(SIG_BLOCK, &set, nullptr);
   watcher_ = std::jthread([this](const std::stop_token& end) { watch(end); });

@@ -143,7 +143,9 @@ void add_simulate_command(CLI::App& app, Command& chosen) {
   command->add_option("--world", arguments->world, "PLY mesh to use instead of a generated block");
   command->footer(
       help_footer("hybridfusion simulate --output data/ --preset small --seed 7 --set "
-                  "simulation.gnss.rtk=true"));
+                  "simulation.gnss.rtk=true",
+                  "the mesh of --world, if given",
+                  "OUTPUT/images/*.jpg, street.bag, sensors.yaml, truth/"));
   command->callback([arguments, &chosen] {
     chosen = [arguments](Session& session) { return simulate_all(*arguments, session); };
   });

@@ -158,7 +158,7 @@ TEST_F(Chain, EndsOnASignalAndResumes) {
   HF_NEEDS_TEST_DATA();
   const std::vector<std::string> arguments = {
       "map", "--bag", data("block-12-avia/street.bag"), "--output", path("ws")};
-  const ProgramResult stopped = run_program(arguments, 1.0);
+  const ProgramResult stopped = run_program(arguments, {.signal_after_s = 1.0});
   EXPECT_EQ(stopped.exit_code, 143) << stopped.err;
   EXPECT_FALSE(std::filesystem::exists(path("ws/lidar/map.ply")));
   EXPECT_EQ(run_program(arguments).exit_code, 0);

@@ -1,5 +1,7 @@
 #include "program.hpp"
 
+#include <sstream>
+
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
@@ -10,14 +12,23 @@ using ::testing::HasSubstr;
 
 class CommandLine : public ProgramTest {};
 
-const std::vector<std::string> kCommands = {
-    "run", "reconstruct", "map", "register", "evaluate", "convert", "config"};
+/// As the program itself lists them, so that none is forgotten.
+std::vector<std::string> commands() {
+  std::istringstream lines(run_program({"completion", "commands"}).out);
+  std::vector<std::string> names;
+  for (std::string name; std::getline(lines, name);) names.push_back(name);
+  return names;
+}
 
-TEST_F(CommandLine, HelpOfEveryCommandHasAnExampleAndTheExitCodes) {
+TEST_F(CommandLine, HelpOfEveryCommandSaysWhatItReadsAndWritesWithAnExampleAndTheExitCodes) {
   EXPECT_EQ(run_program({"--help"}).exit_code, 0);
-  for (const std::string& command : kCommands) {
+  EXPECT_GE(commands().size(), 10U);
+  for (const std::string& command : commands()) {
     const ProgramResult result = run_program({command, "--help"});
     EXPECT_EQ(result.exit_code, 0) << command;
+    EXPECT_THAT(result.out, HasSubstr("\nReads:\n")) << command;
+    EXPECT_THAT(result.out, HasSubstr("\nWrites:\n")) << command;
+    EXPECT_THAT(result.out, HasSubstr("\nExample:\n")) << command;
     EXPECT_THAT(result.out, HasSubstr("hybridfusion " + command)) << command;
     EXPECT_THAT(result.out, HasSubstr("Exit codes")) << command;
   }

@@ -2,13 +2,13 @@
 
 #include <cerrno>
 #include <chrono>
-#include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
 #include <thread>
 
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -21,11 +21,18 @@ void redirect(int descriptor, const std::filesystem::path& path) {
   ::close(file);
 }
 
+void limit_file_size(std::uint64_t bytes) {
+  const rlimit limit{.rlim_cur = bytes, .rlim_max = bytes};
+  if (::setrlimit(RLIMIT_FSIZE, &limit) != 0) _exit(126);
+}
+
 [[noreturn]] void become_program(const std::vector<std::string>& arguments,
+                                 const Adversity& adversity,
                                  const std::filesystem::path& out,
                                  const std::filesystem::path& err) {
   redirect(STDOUT_FILENO, out);
   redirect(STDERR_FILENO, err);
+  if (adversity.max_file_bytes > 0) limit_file_size(adversity.max_file_bytes);
   std::vector<std::string> owned = {HF_PROGRAM};
   owned.insert(owned.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
@@ -37,21 +44,21 @@ void redirect(int descriptor, const std::filesystem::path& path) {
 
 }  // namespace
 
-ProgramResult run_program(const std::vector<std::string>& arguments, double stop_after_s) {
+ProgramResult run_program(const std::vector<std::string>& arguments, const Adversity& adversity) {
   const std::string base =
       (std::filesystem::temp_directory_path() / ("hf_program_" + std::to_string(::getpid())))
           .string();
   const std::filesystem::path out = base + ".out";
   const std::filesystem::path err = base + ".err";
   const pid_t child = ::fork();
-  if (child == 0) become_program(arguments, out, err);
+  if (child == 0) become_program(arguments, adversity, out, err);
   int status = 0;
   const auto start = std::chrono::steady_clock::now();
   bool stopped = false;
   while (::waitpid(child, &status, WNOHANG) == 0) {
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
-    if (stop_after_s > 0.0 && !stopped && passed.count() > stop_after_s) {
-      ::kill(child, SIGTERM);
+    if (adversity.signal_after_s > 0.0 && !stopped && passed.count() > adversity.signal_after_s) {
+      ::kill(child, adversity.signal);
       stopped = true;
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(5));

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <csignal>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -15,10 +17,17 @@ struct ProgramResult {
   std::string err = {};
 };
 
-/// Runs hybridfusion with these arguments and waits for it.
-/// @param stop_after_s  Sends SIGTERM after this time when the program still runs; 0: never.
+/// What happens to the program while it runs.
+struct Adversity {
+  double signal_after_s = 0.0;  ///< Sends `signal` after this time when it still runs; 0: never.
+  int signal = SIGTERM;
+  std::uint64_t max_file_bytes = 0;  ///< RLIMIT_FSIZE; 0: no limit.
+};
+
+/// Runs hybridfusion with these arguments and waits for it. An end by a signal is exit code 128 +
+/// n.
 [[nodiscard]] ProgramResult run_program(const std::vector<std::string>& arguments,
-                                        double stop_after_s = 0.0);
+                                        const Adversity& adversity = {});
 
 /// A test with a folder of its own that is deleted at the end.
 class ProgramTest : public ::testing::Test {

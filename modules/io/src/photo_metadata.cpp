@@ -224,4 +224,12 @@ Expected<PhotoMetadata> read_photo_metadata(const std::filesystem::path& path) {
   return photo;
 }
 
+bool has_null_position(const std::filesystem::path& photo) {
+  const auto segments = read_jpeg_segments(photo);
+  if (!segments) return false;
+  const Exif exif(segments->exif);
+  return degrees(exif, kGpsLatitude, kGpsLatitudeRef, 's') == 0.0 &&
+         degrees(exif, kGpsLongitude, kGpsLongitudeRef, 'w') == 0.0;
+}
+
 }  // namespace hybridfusion

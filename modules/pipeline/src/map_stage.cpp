@@ -1,4 +1,5 @@
 #include "json_text.hpp"
+#include "recording_choice.hpp"
 #include "stage_runner.hpp"
 #include "workspace_data.hpp"
 
@@ -16,26 +17,11 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
-#include <system_error>
 
 #include <fmt/format.h>
 
 namespace hybridfusion {
 namespace {
-
-/// An option that is set wins over sensors.yaml, which wins over detection.
-RecordingOptions recording_options(const RecordingOptions& options, const SensorConfig& sensors) {
-  RecordingOptions result = options;
-  const auto fill = [](std::string& option, const std::optional<std::string>& value) {
-    if (option.empty() && value) option = *value;
-  };
-  fill(result.lidar_topic, sensors.lidar_topic);
-  fill(result.imu_topic, sensors.imu_topic);
-  fill(result.gnss_topic, sensors.gnss_topic);
-  fill(result.point_time_field, sensors.point_time_field);
-  fill(result.point_time_unit, sensors.point_time_unit);
-  return result;
-}
 
 LidarRig rig_of(const SensorConfig& sensors) {
   LidarRig rig;
@@ -215,16 +201,6 @@ Expected<Json> place_by_gnss(const Workspace& workspace,
   return json;
 }
 
-/// sensors.yaml in the folder of the recording or, when the recording is a folder, in that.
-std::optional<std::filesystem::path> sensors_beside(const std::filesystem::path& bag) {
-  constexpr std::string_view kName = "sensors.yaml";
-  for (const std::filesystem::path& candidate : {bag / kName, bag.parent_path() / kName}) {
-    std::error_code code;
-    if (std::filesystem::is_regular_file(candidate, code)) return candidate;
-  }
-  return std::nullopt;
-}
-
 struct MapInputs {
   std::filesystem::path bag = {};
   RecordingOptions recording = {};
@@ -261,8 +237,7 @@ Expected<StageOutcome> map_stage(Project& project,
                                  const std::filesystem::path& bag,
                                  const std::optional<std::filesystem::path>& sensors,
                                  const RunContext& ctx) {
-  std::optional<std::filesystem::path> sensors_path = sensors;
-  if (!sensors) sensors_path = sensors_beside(bag);
+  const auto sensors_path = sensors_file(bag, sensors);
   SensorConfig config;
   if (sensors_path) {
     HF_TRY(config, read_sensors_yaml(*sensors_path));

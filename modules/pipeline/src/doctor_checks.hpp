@@ -1,0 +1,102 @@
+#pragma once
+
+#include "finding_list.hpp"
+
+#include <hybridfusion/core/geodetic.hpp>
+#include <hybridfusion/core/photo.hpp>
+#include <hybridfusion/core/run_context.hpp>
+#include <hybridfusion/io/photo_folder.hpp>
+#include <hybridfusion/io/scan_source.hpp>
+#include <hybridfusion/io/sensors_yaml.hpp>
+#include <hybridfusion/vision/reconstruction_options.hpp>
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace hybridfusion {
+
+/// What a check writes into.
+struct Diagnosis {
+  FindingList findings = {};
+  std::vector<std::string> facts = {};
+};
+
+/// What the recording says that other checks need.
+struct RecordingEvidence {
+  std::vector<GeodeticPosition> fixes = {};  ///< Usable ones, in order.
+  std::uint64_t size_bytes = 0;
+};
+
+/// What the photos say that other checks need.
+struct PhotoEvidence {
+  std::size_t num_photos = 0;                    ///< Usable files.
+  std::vector<GeodeticPosition> positions = {};  ///< Of the photos that have one with altitude.
+  int width_px = 0;                              ///< Of the largest photo.
+  int height_px = 0;
+};
+
+/// sensors.yaml, or the defaults with a finding.
+[[nodiscard]] SensorConfig check_sensors(const std::optional<std::filesystem::path>& path,
+                                         Diagnosis& diagnosis);
+
+/// Topics and every message. @returns kCancelled only.
+[[nodiscard]] Expected<RecordingEvidence> check_recording(const std::filesystem::path& bag,
+                                                          const RecordingOptions& options,
+                                                          Diagnosis& diagnosis,
+                                                          const RunContext& ctx);
+
+/// Files, metadata, positions, overlap and pixels of a folder. @param ground_altitude_m  Height of
+/// the street where it is known, for the size of the footprints. @returns kCancelled only.
+[[nodiscard]] Expected<PhotoEvidence> check_photos(const std::filesystem::path& images,
+                                                   std::optional<double> ground_altitude_m,
+                                                   const ReconstructionOptions& options,
+                                                   Diagnosis& diagnosis,
+                                                   const RunContext& ctx);
+
+/// Cameras, focal lengths, sizes, times.
+void check_cameras(std::span<const PhotoMetadata> photos, Diagnosis& diagnosis);
+/// Presence, repetition and sign of the positions.
+void check_positions(const std::filesystem::path& folder,
+                     std::span<const PhotoMetadata> photos,
+                     const GnssOptions& options,
+                     Diagnosis& diagnosis);
+/// Footprints over the ground. @pre positions fit (no photos.no_positions, .same_position)
+void check_overlap(std::span<const PhotoMetadata> photos,
+                   std::optional<double> ground_altitude_m,
+                   const GnssOptions& options,
+                   Diagnosis& diagnosis);
+/// Copies of one file.
+[[nodiscard]] Expected<void> check_duplicates(const PhotoFolder& folder,
+                                              Diagnosis& diagnosis,
+                                              const RunContext& ctx);
+/// Decodes an even sample: damage, sharpness, exposure. @returns kCancelled only.
+[[nodiscard]] Expected<void> check_pixels(const PhotoFolder& folder,
+                                          Diagnosis& diagnosis,
+                                          const RunContext& ctx);
+
+/// Photos and drive against each other.
+void check_site(const PhotoEvidence& photos,
+                const RecordingEvidence& recording,
+                Diagnosis& diagnosis);
+
+struct MachineState {
+  std::optional<std::uint64_t> memory_bytes = {};  ///< Free for this process.
+  std::optional<std::uint64_t> disk_bytes = {};    ///< Free at the output.
+};
+/// Of this machine; the disk is that of the nearest existing folder of `output`.
+[[nodiscard]] MachineState machine_state(const std::optional<std::filesystem::path>& output);
+void check_machine(const MachineState& machine,
+                   const PhotoEvidence& photos,
+                   const RecordingEvidence& recording,
+                   Diagnosis& diagnosis);
+void check_workspace(const std::filesystem::path& workspace, Diagnosis& diagnosis);
+
+/// Ratio of the detail at a half to that at an eighth of the resolution: falls steeply with blur,
+/// hardly depends on the scene, and is above the noise of single pixels.
+[[nodiscard]] double sharpness_of(const Image8& image);
+
+}  // namespace hybridfusion
