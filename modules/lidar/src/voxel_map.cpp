@@ -19,22 +19,9 @@ std::size_t hash_of(std::uint64_t key) {
   return static_cast<std::size_t>(key ^ (key >> 29U));
 }
 
-VoxelIndex voxel_of_key(std::uint64_t key) {
-  constexpr std::uint64_t kMask = (1U << 21U) - 1U;
-  constexpr int kOffset = 1 << 20;
-  return {static_cast<int>((key >> 42U) & kMask) - kOffset,
-          static_cast<int>((key >> 21U) & kMask) - kOffset,
-          static_cast<int>(key & kMask) - kOffset};
-}
-
-void keep_nearest(const Eigen::Vector3f& point, float distance, int count, MapNeighbors& best) {
-  int at = best.count < count ? best.count++ : count - 1;
-  for (; at > 0 && best.squared_distances_m2[at - 1] > distance; --at) {
-    best.squared_distances_m2[at] = best.squared_distances_m2[at - 1];
-    best.points[at] = best.points[at - 1];
-  }
-  best.squared_distances_m2[at] = distance;
-  best.points[at] = point;
+/// NaN when any coordinate is.
+float largest_of(const Eigen::Array3f& scaled) {
+  return scaled.abs().maxCoeff<Eigen::PropagateNaN>();
 }
 
 }  // namespace
@@ -75,9 +62,13 @@ void VoxelMap::rehash(std::size_t num_slots) {
   }
 }
 
+void VoxelMap::insert(std::span<const Eigen::Vector3f> points) {
+  for (const Eigen::Vector3f& point : points) insert(point);
+}
+
 void VoxelMap::insert(const Eigen::Vector3f& point) {
   const Eigen::Array3f scaled = point.array() * inverse_cell_;
-  if (!(scaled.abs().maxCoeff() < static_cast<float>(kMaxIndex))) return;
+  if (!(largest_of(scaled) < static_cast<float>(kMaxIndex))) return;
   const Eigen::Array3f floor = scaled.floor();
   Cell& cell = cells_[find_or_add(voxel_key(floor.cast<int>()))];
   const auto octant = (scaled - floor >= 0.5F).cast<int>();
@@ -93,75 +84,106 @@ void VoxelMap::insert(const Eigen::Vector3f& point) {
   }
 }
 
-void VoxelMap::nearest(const Eigen::Vector3f& query,
-                       int count,
-                       float radius_m,
-                       MapNeighbors& neighbors) const {
-  neighbors.count = 0;
-  const Eigen::Array3f scaled = query.array() * inverse_cell_;
-  if (!(scaled.abs().maxCoeff() < static_cast<float>(kMaxIndex) - 16.0F)) return;
-  const Eigen::Vector3i home = scaled.floor().cast<int>();
-  const float cell_m = 2.0F * voxel_m_;
-  const Eigen::Vector3f in_cell = (scaled - scaled.floor()).matrix() * cell_m;
-  const float radius2 = radius_m * radius_m;
-  const auto limit = [&] {
-    return neighbors.count == count ? neighbors.squared_distances_m2[count - 1] : radius2;
-  };
-  // Squared gap between the query and the slab of cells at offset d along one axis.
-  const auto gap2 = [&](int axis, int d) {
+/// A query among the cells around its own.
+struct VoxelMap::Search {
+  Eigen::Vector3f query;
+  Eigen::Vector3i home;
+  Eigen::Vector3f in_cell;  // [m], from the lower corner of the home cell
+  float cell_m;
+  NearestPoints best;
+
+  /// Squared distance from the query to the slab of cells at offset `d` along one axis.
+  [[nodiscard]] float squared_gap(int axis, int d) const {
     if (d == 0) return 0.0F;
     const float gap = d > 0 ? static_cast<float>(d) * cell_m - in_cell[axis]
                             : in_cell[axis] - static_cast<float>(d + 1) * cell_m;
     return gap * gap;
-  };
-  const int rings = static_cast<int>(std::ceil(radius_m * inverse_cell_));
-  // Rings of cells outwards: a ring is left out as soon as it cannot beat the farthest kept point.
-  for (int ring = 0; ring <= rings; ++ring) {
-    if (ring > 1) {
-      float nearest_gap2 = std::numeric_limits<float>::infinity();
-      for (int axis = 0; axis < 3; ++axis) {
-        nearest_gap2 = std::min({nearest_gap2, gap2(axis, ring), gap2(axis, -ring)});
-      }
-      if (nearest_gap2 >= limit()) return;
+  }
+  /// Squared distance to the nearest cell of a ring.
+  [[nodiscard]] float squared_ring_gap(int ring) const {
+    float gap = std::numeric_limits<float>::infinity();
+    for (int axis = 0; axis < 3; ++axis) {
+      gap = std::min({gap, squared_gap(axis, ring), squared_gap(axis, -ring)});
     }
-    for (int dz = -ring; dz <= ring; ++dz) {
-      const float z2 = gap2(2, dz);
-      if (z2 >= limit()) continue;
-      for (int dy = -ring; dy <= ring; ++dy) {
-        const float yz2 = z2 + gap2(1, dy);
-        if (yz2 >= limit()) continue;
-        const bool inside = std::abs(dz) < ring && std::abs(dy) < ring;
-        for (int dx = -ring; dx <= ring; dx += inside ? 2 * ring : 1) {
-          if (yz2 + gap2(0, dx) >= limit()) continue;
-          const std::uint32_t found = find(voxel_key(home + Eigen::Vector3i(dx, dy, dz)));
-          if (found == kNone) continue;
-          const Cell& cell = cells_[found];
-          for (int slot = 0; slot < 8; ++slot) {
-            if (cell.counts[slot] == 0) continue;
-            const float distance = (cell.points[slot] - query).squaredNorm();
-            if (distance < limit()) keep_nearest(cell.points[slot], distance, count, neighbors);
-          }
-        }
+    return gap;
+  }
+};
+
+void VoxelMap::search_cell(const Eigen::Vector3i& offset, Search& search) const {
+  const std::uint32_t found = find(voxel_key(search.home + offset));
+  if (found == kNone) return;
+  const Cell& cell = cells_[found];
+  for (int slot = 0; slot < 8; ++slot) {
+    if (cell.counts[slot] == 0) continue;
+    search.best.offer(cell.points[slot], (cell.points[slot] - search.query).squaredNorm());
+  }
+}
+
+void VoxelMap::search_ring(int ring, Search& search) const {
+  for (int dz = -ring; dz <= ring; ++dz) {
+    const float z2 = search.squared_gap(2, dz);
+    if (z2 >= search.best.limit()) continue;
+    for (int dy = -ring; dy <= ring; ++dy) {
+      const float yz2 = z2 + search.squared_gap(1, dy);
+      if (yz2 >= search.best.limit()) continue;
+      const bool inside = std::abs(dz) < ring && std::abs(dy) < ring;
+      for (int dx = -ring; dx <= ring; dx += inside ? 2 * ring : 1) {
+        if (yz2 + search.squared_gap(0, dx) >= search.best.limit()) continue;
+        search_cell({dx, dy, dz}, search);
       }
     }
   }
 }
 
-void VoxelMap::erase_outside(const Eigen::Vector3f& center, float half_side_m) {
+void VoxelMap::nearest(const Eigen::Vector3f& query,
+                       int count,
+                       float radius_m,
+                       MapNeighbors& neighbors) const {
+  HF_CHECK(count > 0 && count <= MapNeighbors::kCapacity);
+  NearestPoints best(count, radius_m, neighbors);
+  const Eigen::Array3f scaled = query.array() * inverse_cell_;
+  if (!(largest_of(scaled) < static_cast<float>(kMaxIndex) - 16.0F)) return;
   const float cell_m = 2.0F * voxel_m_;
-  std::erase_if(cells_, [&](const Cell& cell) {
-    const Eigen::Vector3f middle = (voxel_of_key(cell.key).cast<float>().array() + 0.5F) * cell_m;
-    return (middle - center).cwiseAbs().maxCoeff() > half_side_m;
-  });
-  cells_.shrink_to_fit();
-  num_points_ = 0;
-  for (const Cell& cell : cells_) {
-    num_points_ += static_cast<std::size_t>(
-        std::ranges::count_if(cell.counts, [](std::uint8_t count) { return count > 0; }));
+  Search search{.query = query,
+                .home = scaled.floor().cast<int>(),
+                .in_cell = (scaled - scaled.floor()).matrix() * cell_m,
+                .cell_m = cell_m,
+                .best = best};
+  // Rings of cells outwards: a ring is left out as soon as it cannot beat the farthest kept point.
+  const int num_rings = static_cast<int>(std::ceil(radius_m * inverse_cell_));
+  for (int ring = 0; ring <= num_rings; ++ring) {
+    if (ring > 1 && search.squared_ring_gap(ring) >= search.best.limit()) return;
+    search_ring(ring, search);
   }
+}
+
+template <class Predicate>
+void VoxelMap::erase_points(const Predicate& goes) {
+  num_points_ = 0;
+  std::erase_if(cells_, [&](Cell& cell) {
+    std::size_t num_kept = 0;
+    for (int slot = 0; slot < 8; ++slot) {
+      if (cell.counts[slot] > 0 && goes(cell.points[slot])) cell.counts[slot] = 0;
+      if (cell.counts[slot] > 0) ++num_kept;
+    }
+    num_points_ += num_kept;
+    return num_kept == 0;
+  });
   std::size_t num_slots = 1024;
   while (num_slots < 2 * (cells_.size() + 1)) num_slots *= 2;
   rehash(num_slots);
+}
+
+void VoxelMap::erase_box(const MapBox& box) {
+  erase_points([&](const Eigen::Vector3f& point) { return box.contains(point); });
+}
+
+void VoxelMap::erase_outside(const Eigen::Vector3f& center, float half_side_m) {
+  erase_points([&](const Eigen::Vector3f& point) {
+    return (point - center).cwiseAbs().maxCoeff() > half_side_m;
+  });
+  cells_.shrink_to_fit();
+  slots_.shrink_to_fit();
 }
 
 std::size_t VoxelMap::num_bytes() const {

@@ -1,0 +1,268 @@
+#include "incremental_kd_tree.hpp"
+
+#include <hybridfusion/core/error.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace hybridfusion {
+namespace {
+
+constexpr float kMaxIndex = static_cast<float>((1 << 20) - 1);
+
+/// Regions tell of a box of points whether it lies in them wholly or not at all.
+struct Everything {
+  [[nodiscard]] static bool covers(const Eigen::Vector3f&, const Eigen::Vector3f&) { return true; }
+  [[nodiscard]] static bool misses(const Eigen::Vector3f&, const Eigen::Vector3f&) { return false; }
+  [[nodiscard]] static bool contains(const Eigen::Vector3f&) { return true; }
+};
+
+struct InBox {
+  MapBox box;
+
+  [[nodiscard]] bool covers(const Eigen::Vector3f& min, const Eigen::Vector3f& max) const {
+    return box.contains(min) && box.contains(max);
+  }
+  [[nodiscard]] bool misses(const Eigen::Vector3f& min, const Eigen::Vector3f& max) const {
+    return (max.array() < box.min.array()).any() || (min.array() >= box.max.array()).any();
+  }
+  [[nodiscard]] bool contains(const Eigen::Vector3f& point) const { return box.contains(point); }
+};
+
+struct OutsideCube {
+  Eigen::Vector3f center;
+  float half_side_m;
+
+  [[nodiscard]] bool covers(const Eigen::Vector3f& min, const Eigen::Vector3f& max) const {
+    return (min - center).maxCoeff() > half_side_m || (center - max).maxCoeff() > half_side_m;
+  }
+  [[nodiscard]] bool misses(const Eigen::Vector3f& min, const Eigen::Vector3f& max) const {
+    return !contains(min) && !contains(max);
+  }
+  [[nodiscard]] bool contains(const Eigen::Vector3f& point) const {
+    return (point - center).cwiseAbs().maxCoeff() > half_side_m;
+  }
+};
+
+float squared_gap(const Eigen::Vector3f& min,
+                  const Eigen::Vector3f& max,
+                  const Eigen::Vector3f& point) {
+  return (min - point).cwiseMax(point - max).cwiseMax(0.0F).squaredNorm();
+}
+
+struct InBall {
+  Eigen::Vector3f center;
+  float squared_radius_m2;
+
+  [[nodiscard]] bool covers(const Eigen::Vector3f& min, const Eigen::Vector3f& max) const {
+    return (center - min).cwiseAbs().cwiseMax((max - center).cwiseAbs()).squaredNorm() <
+           squared_radius_m2;
+  }
+  [[nodiscard]] bool misses(const Eigen::Vector3f& min, const Eigen::Vector3f& max) const {
+    return squared_gap(min, max, center) >= squared_radius_m2;
+  }
+  [[nodiscard]] bool contains(const Eigen::Vector3f& point) const {
+    return (point - center).squaredNorm() < squared_radius_m2;
+  }
+};
+
+}  // namespace
+
+IncrementalKdTree::IncrementalKdTree(double voxel_m)
+    : inverse_voxel_(static_cast<float>(1.0 / voxel_m)), nodes_(1), leaves_(1) {
+  HF_CHECK(voxel_m > 0.0);
+}
+
+void IncrementalKdTree::insert(std::span<const Eigen::Vector3f> points) {
+  std::vector<Eigen::Vector3f> batch;
+  batch.reserve(points.size());
+  for (const Eigen::Vector3f& point : points) {
+    if ((point * inverse_voxel_).cwiseAbs().maxCoeff<Eigen::PropagateNaN>() < kMaxIndex) {
+      batch.push_back(point);
+    }
+  }
+  insert_below(kRoot, batch);
+}
+
+void IncrementalKdTree::insert_below(std::uint32_t at, Points points) {
+  if (points.empty()) return;
+  if (nodes_[at].is_leaf) {
+    insert_into_leaf(at, points);
+    return;
+  }
+  if (nodes_[at].dropped) push_down(at);
+  const Points first = below({.axis = nodes_[at].axis, .split = nodes_[at].split}, points);
+  insert_below(nodes_[at].child, first);
+  insert_below(nodes_[at].child + 1, points.subspan(first.size()));
+  refresh(at);
+  rebalance(at);
+}
+
+void IncrementalKdTree::insert_into_leaf(std::uint32_t at, Points points) {
+  std::vector<Eigen::Vector3f> overflow;
+  for (const Eigen::Vector3f& point : points) {
+    if (!merge_into_leaf(nodes_[at], point)) overflow.push_back(point);
+  }
+  refresh(at);
+  if (overflow.empty()) return;
+  const std::uint32_t leaf = nodes_[at].child;
+  for (std::uint32_t i = 0; i < nodes_[at].num_valid; ++i) {
+    overflow.push_back(leaves_[leaf].point(i));
+  }
+  thin(overflow);
+  free_leaves_.push_back(leaf);
+  build(at, overflow);
+}
+
+bool IncrementalKdTree::merge_into_leaf(Node& node, const Eigen::Vector3f& point) {
+  Leaf& leaf = leaves_[node.child];
+  const Eigen::Array3f low = voxel_corner(point);
+  std::array<bool, kLeafSize> same{};
+  same.fill(true);
+  for (int axis = 0; axis < 3; ++axis) {
+    for (std::uint32_t i = 0; i < kLeafSize; ++i) {
+      const float scaled = leaf.coordinates[axis][i] * inverse_voxel_;
+      same[i] = same[i] & (scaled >= low[axis]) & (scaled < low[axis] + 1.0F);
+    }
+  }
+  for (std::uint32_t i = 0; i < node.num_valid; ++i) {
+    if (!same[i]) continue;
+    if (off_center(point) < off_center(leaf.point(i))) leaf.set(i, point);
+    return true;
+  }
+  if (node.num_valid == kLeafSize) return false;
+  leaf.set(node.num_valid++, point);
+  return true;
+}
+
+void IncrementalKdTree::nearest(const Eigen::Vector3f& query,
+                                int count,
+                                float radius_m,
+                                MapNeighbors& neighbors) const {
+  HF_CHECK(count > 0 && count <= MapNeighbors::kCapacity);
+  NearestPoints best(count, radius_m, neighbors);
+  nearest_below(kRoot, query, best);
+}
+
+void IncrementalKdTree::nearest_below(std::uint32_t at,
+                                      const Eigen::Vector3f& query,
+                                      NearestPoints& best) const {
+  const Node& node = nodes_[at];
+  if (node.num_valid == 0) return;
+  if (node.is_leaf) {
+    const Leaf& leaf = leaves_[node.child];
+    std::array<float, kLeafSize> distances;
+    for (std::uint32_t i = 0; i < kLeafSize; ++i) {
+      const float dx = leaf.coordinates[0][i] - query.x();
+      const float dy = leaf.coordinates[1][i] - query.y();
+      const float dz = leaf.coordinates[2][i] - query.z();
+      distances[i] = dx * dx + (dy * dy + dz * dz);
+    }
+    for (std::uint32_t i = 0; i < node.num_valid; ++i) {
+      if (distances[i] < best.limit()) best.offer(leaf.point(i), distances[i]);
+    }
+    return;
+  }
+  const auto gap_of = [&](std::uint32_t child) {
+    return squared_gap(nodes_[child].min, nodes_[child].max, query);
+  };
+  std::uint32_t near = node.child;
+  std::uint32_t far = near + 1;
+  float near_gap = gap_of(near);
+  float far_gap = gap_of(far);
+  if (far_gap < near_gap) {
+    std::swap(near, far);
+    std::swap(near_gap, far_gap);
+  }
+  if (near_gap < best.limit()) nearest_below(near, query, best);
+  if (far_gap < best.limit()) nearest_below(far, query, best);
+}
+
+template <class Region>
+void IncrementalKdTree::erase_below(std::uint32_t at, const Region& region) {
+  Node& node = nodes_[at];
+  if (node.num_valid == 0 || region.misses(node.min, node.max)) return;
+  if (node.is_leaf) {
+    Leaf& leaf = leaves_[node.child];
+    for (std::uint32_t i = node.num_valid; i-- > 0;) {
+      if (region.contains(leaf.point(i))) leaf.set(i, leaf.point(--node.num_valid));
+    }
+    refresh(at);
+    return;
+  }
+  if (region.covers(node.min, node.max)) {
+    node.dropped = true;
+    node.num_changes += node.num_valid;
+    node.num_valid = 0;
+    return;
+  }
+  erase_below(node.child, region);
+  erase_below(nodes_[at].child + 1, region);
+  refresh(at);
+  rebalance(at);
+}
+
+template <class Region>
+void IncrementalKdTree::collect_below(std::uint32_t at,
+                                      const Region& region,
+                                      std::vector<Eigen::Vector3f>& out) const {
+  const Node& node = nodes_[at];
+  if (node.num_valid == 0 || region.misses(node.min, node.max)) return;
+  if (!node.is_leaf) {
+    collect_below(node.child, region, out);
+    collect_below(node.child + 1, region, out);
+    return;
+  }
+  for (std::uint32_t i = 0; i < node.num_valid; ++i) {
+    const Eigen::Vector3f point = leaves_[node.child].point(i);
+    if (region.contains(point)) out.push_back(point);
+  }
+}
+
+void IncrementalKdTree::rebuild(std::uint32_t at) {
+  std::vector<Eigen::Vector3f> kept;
+  kept.reserve(nodes_[at].num_valid);
+  collect_below(at, Everything{}, kept);
+  release_below(at);
+  build(at, kept);
+}
+
+void IncrementalKdTree::erase_box(const MapBox& box) {
+  erase_below(kRoot, InBox{box});
+  rebalance(kRoot);
+}
+
+void IncrementalKdTree::erase_outside(const Eigen::Vector3f& center, float half_side_m) {
+  erase_below(kRoot, OutsideCube{center, half_side_m});
+  rebuild(kRoot);
+  nodes_.shrink_to_fit();
+  leaves_.shrink_to_fit();
+}
+
+std::vector<Eigen::Vector3f> IncrementalKdTree::within_box(const MapBox& box) const {
+  std::vector<Eigen::Vector3f> out;
+  collect_below(kRoot, InBox{box}, out);
+  return out;
+}
+
+std::vector<Eigen::Vector3f> IncrementalKdTree::within_radius(const Eigen::Vector3f& center,
+                                                              float radius_m) const {
+  std::vector<Eigen::Vector3f> out;
+  collect_below(kRoot, InBall{center, radius_m * radius_m}, out);
+  return out;
+}
+
+std::vector<Eigen::Vector3f> IncrementalKdTree::points() const {
+  std::vector<Eigen::Vector3f> out;
+  out.reserve(size());
+  collect_below(kRoot, Everything{}, out);
+  return out;
+}
+
+std::size_t IncrementalKdTree::num_bytes() const {
+  return nodes_.capacity() * sizeof(Node) + leaves_.capacity() * sizeof(Leaf) +
+         (free_pairs_.capacity() + free_leaves_.capacity()) * sizeof(std::uint32_t);
+}
+
+}  // namespace hybridfusion
