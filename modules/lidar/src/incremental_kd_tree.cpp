@@ -1,5 +1,7 @@
 #include "incremental_kd_tree.hpp"
 
+#include "map_regions.hpp"
+
 #include <hybridfusion/core/error.hpp>
 
 #include <algorithm>
@@ -10,62 +12,6 @@ namespace hybridfusion {
 namespace {
 
 constexpr float kMaxIndex = static_cast<float>((1 << 20) - 1);
-
-/// Regions tell of a box of points whether it lies in them wholly or not at all.
-struct Everything {
-  [[nodiscard]] static bool covers(const Eigen::Vector3f&, const Eigen::Vector3f&) { return true; }
-  [[nodiscard]] static bool misses(const Eigen::Vector3f&, const Eigen::Vector3f&) { return false; }
-  [[nodiscard]] static bool contains(const Eigen::Vector3f&) { return true; }
-};
-
-struct InBox {
-  MapBox box;
-
-  [[nodiscard]] bool covers(const Eigen::Vector3f& min, const Eigen::Vector3f& max) const {
-    return box.contains(min) && box.contains(max);
-  }
-  [[nodiscard]] bool misses(const Eigen::Vector3f& min, const Eigen::Vector3f& max) const {
-    return (max.array() < box.min.array()).any() || (min.array() >= box.max.array()).any();
-  }
-  [[nodiscard]] bool contains(const Eigen::Vector3f& point) const { return box.contains(point); }
-};
-
-struct OutsideCube {
-  Eigen::Vector3f center;
-  float half_side_m;
-
-  [[nodiscard]] bool covers(const Eigen::Vector3f& min, const Eigen::Vector3f& max) const {
-    return (min - center).maxCoeff() > half_side_m || (center - max).maxCoeff() > half_side_m;
-  }
-  [[nodiscard]] bool misses(const Eigen::Vector3f& min, const Eigen::Vector3f& max) const {
-    return !contains(min) && !contains(max);
-  }
-  [[nodiscard]] bool contains(const Eigen::Vector3f& point) const {
-    return (point - center).cwiseAbs().maxCoeff() > half_side_m;
-  }
-};
-
-float squared_gap(const Eigen::Vector3f& min,
-                  const Eigen::Vector3f& max,
-                  const Eigen::Vector3f& point) {
-  return (min - point).cwiseMax(point - max).cwiseMax(0.0F).squaredNorm();
-}
-
-struct InBall {
-  Eigen::Vector3f center;
-  float squared_radius_m2;
-
-  [[nodiscard]] bool covers(const Eigen::Vector3f& min, const Eigen::Vector3f& max) const {
-    return (center - min).cwiseAbs().cwiseMax((max - center).cwiseAbs()).squaredNorm() <
-           squared_radius_m2;
-  }
-  [[nodiscard]] bool misses(const Eigen::Vector3f& min, const Eigen::Vector3f& max) const {
-    return squared_gap(min, max, center) >= squared_radius_m2;
-  }
-  [[nodiscard]] bool contains(const Eigen::Vector3f& point) const {
-    return (point - center).squaredNorm() < squared_radius_m2;
-  }
-};
 
 }  // namespace
 
@@ -83,6 +29,7 @@ void IncrementalKdTree::insert(std::span<const Eigen::Vector3f> points) {
     }
   }
   insert_below(kRoot, batch);
+  rebalance(kRoot);
 }
 
 void IncrementalKdTree::insert_below(std::uint32_t at, Points points) {
@@ -96,7 +43,6 @@ void IncrementalKdTree::insert_below(std::uint32_t at, Points points) {
   insert_below(nodes_[at].child, first);
   insert_below(nodes_[at].child + 1, points.subspan(first.size()));
   refresh(at);
-  rebalance(at);
 }
 
 void IncrementalKdTree::insert_into_leaf(std::uint32_t at, Points points) {
@@ -118,16 +64,17 @@ void IncrementalKdTree::insert_into_leaf(std::uint32_t at, Points points) {
 bool IncrementalKdTree::merge_into_leaf(Node& node, const Eigen::Vector3f& point) {
   Leaf& leaf = leaves_[node.child];
   const Eigen::Array3f low = voxel_corner(point);
-  std::array<bool, kLeafSize> same{};
-  same.fill(true);
+  std::array<int, kLeafSize> same;
+  same.fill(1);
   for (int axis = 0; axis < 3; ++axis) {
     for (std::uint32_t i = 0; i < kLeafSize; ++i) {
       const float scaled = leaf.coordinates[axis][i] * inverse_voxel_;
-      same[i] = same[i] & (scaled >= low[axis]) & (scaled < low[axis] + 1.0F);
+      same[i] &=
+          static_cast<int>(scaled >= low[axis]) & static_cast<int>(scaled < low[axis] + 1.0F);
     }
   }
   for (std::uint32_t i = 0; i < node.num_valid; ++i) {
-    if (!same[i]) continue;
+    if (same[i] == 0) continue;
     if (off_center(point) < off_center(leaf.point(i))) leaf.set(i, point);
     return true;
   }
@@ -193,14 +140,14 @@ void IncrementalKdTree::erase_below(std::uint32_t at, const Region& region) {
   }
   if (region.covers(node.min, node.max)) {
     node.dropped = true;
+    node.touched = true;
     node.num_changes += node.num_valid;
     node.num_valid = 0;
     return;
   }
   erase_below(node.child, region);
-  erase_below(nodes_[at].child + 1, region);
+  erase_below(node.child + 1, region);
   refresh(at);
-  rebalance(at);
 }
 
 template <class Region>

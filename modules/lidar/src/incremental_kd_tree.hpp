@@ -58,6 +58,7 @@ class IncrementalKdTree {
     std::uint8_t axis = 0;
     bool is_leaf = true;
     bool dropped = false;  // all points below are deleted
+    bool touched = false;  // changed since its balance was looked at
   };
   struct Leaf {
     std::array<std::array<float, kLeafSize>, 3> coordinates = {};
@@ -77,11 +78,15 @@ class IncrementalKdTree {
   using Points = std::span<Eigen::Vector3f>;
 
   // Building and balance.
-  [[nodiscard]] Division divide_along(int axis, Points points) const;
-  [[nodiscard]] Division divide(Points points) const;
+  [[nodiscard]] Division divide_along(int axis,
+                                      int low,
+                                      int high,
+                                      std::span<const Eigen::Vector3f> points) const;
+  [[nodiscard]] Division divide(std::span<const Eigen::Vector3f> points) const;
   [[nodiscard]] Points below(const Division& division, Points points) const;
   void build(std::uint32_t at, Points points);
   void rebuild(std::uint32_t at);
+  [[nodiscard]] bool leans(const Node& node) const;
   void rebalance(std::uint32_t at);
   void refresh(std::uint32_t at);
   void push_down(std::uint32_t at);

@@ -18,10 +18,17 @@ constexpr double kMaxDeletedShare = 0.5;
 // side gets 5/6. Such a subtree is built again only after this share of it has changed.
 constexpr double kMinChangedShare = 0.125;
 
+// A division looks at this many counts of points at a time.
+constexpr int kNumBins = 64;
+
+bool is_balanced(std::size_t num_heavier, std::size_t num_points) {
+  return static_cast<double>(num_heavier) <= kMaxHeavierShare * static_cast<double>(num_points);
+}
+
 float floor_of(float value) {
   // std::floor is a call on processors without SSE 4.1.
   const auto truncated = static_cast<float>(static_cast<int>(value));
-  return truncated > value ? truncated - 1.0F : truncated;
+  return truncated - static_cast<float>(truncated > value);
 }
 
 }  // namespace
@@ -64,27 +71,40 @@ IncrementalKdTree::Points IncrementalKdTree::below(const Division& division, Poi
   return points.first(static_cast<std::size_t>(above - points.begin()));
 }
 
-IncrementalKdTree::Division IncrementalKdTree::divide_along(int axis, Points points) const {
-  const auto middle = points.begin() + static_cast<std::ptrdiff_t>(points.size() / 2);
-  std::nth_element(
-      points.begin(),
-      middle,
-      points.end(),
-      [axis](const Eigen::Vector3f& a, const Eigen::Vector3f& b) { return a[axis] < b[axis]; });
-  const float median = floor_of((*middle)[axis] * inverse_voxel_);
+IncrementalKdTree::Division IncrementalKdTree::divide_along(
+    int axis, int low, int high, std::span<const Eigen::Vector3f> points) const {
   Division best{.axis = axis, .num_heavier = points.size()};
-  for (const float split : {median, median + 1.0F}) {
-    const auto num_below = static_cast<std::size_t>(std::ranges::count_if(
-        points, [&](const Eigen::Vector3f& p) { return p[axis] * inverse_voxel_ < split; }));
-    const std::size_t num_heavier = std::max(num_below, points.size() - num_below);
-    if (num_heavier < best.num_heavier) {
-      best = {.axis = axis, .split = split, .num_heavier = num_heavier};
+  std::size_t num_below = 0;  // the range [low, high)
+  while (true) {
+    int shift = 0;
+    while ((high - low - 1) >> shift >= kNumBins) ++shift;
+    std::array<std::uint32_t, kNumBins> counts{};
+    for (const Eigen::Vector3f& point : points) {
+      const int offset = static_cast<int>(floor_of(point[axis] * inverse_voxel_)) - low;
+      if (offset >= 0 && offset < high - low) ++counts[static_cast<std::size_t>(offset >> shift)];
     }
+    int median_bin = 0;
+    std::size_t num_below_median = num_below;
+    for (int bin = 0; bin <= (high - low - 1) >> shift; ++bin) {
+      if (2 * num_below <= points.size()) {
+        median_bin = bin;
+        num_below_median = num_below;
+      }
+      num_below += counts[static_cast<std::size_t>(bin)];
+      const std::size_t num_heavier = std::max(num_below, points.size() - num_below);
+      if (num_heavier >= best.num_heavier) continue;
+      best.split = static_cast<float>(low + ((bin + 1) << shift));
+      best.num_heavier = num_heavier;
+    }
+    if (shift == 0 || is_balanced(best.num_heavier, points.size())) return best;
+    low += median_bin << shift;
+    high = std::min(high, low + (1 << shift));
+    num_below = num_below_median;
   }
-  return best;
 }
 
-IncrementalKdTree::Division IncrementalKdTree::divide(Points points) const {
+IncrementalKdTree::Division IncrementalKdTree::divide(
+    std::span<const Eigen::Vector3f> points) const {
   Eigen::Vector3f min = points.front();
   Eigen::Vector3f max = points.front();
   for (const Eigen::Vector3f& point : points) {
@@ -92,16 +112,17 @@ IncrementalKdTree::Division IncrementalKdTree::divide(Points points) const {
     max = max.cwiseMax(point);
   }
   const Eigen::Vector3f extent = max - min;
+  const Eigen::Array3i low = voxel_corner(min).cast<int>();
+  const Eigen::Array3i high = voxel_corner(max).cast<int>() + 1;
   std::array<int, 3> axes{0, 1, 2};
-  std::ranges::stable_sort(axes, std::ranges::greater{}, [&](int axis) { return extent[axis]; });
+  std::ranges::sort(axes, [&](int a, int b) {
+    return extent[a] > extent[b] || (extent[a] == extent[b] && a < b);
+  });
   Division best{.num_heavier = points.size()};
   for (const int axis : axes) {
-    const Division division = divide_along(axis, points);
+    const Division division = divide_along(axis, low[axis], high[axis], points);
     if (division.num_heavier < best.num_heavier) best = division;
-    if (static_cast<double>(best.num_heavier) <=
-        kMaxHeavierShare * static_cast<double>(points.size())) {
-      break;
-    }
+    if (is_balanced(best.num_heavier, points.size())) break;
   }
   return best;
 }
@@ -128,6 +149,7 @@ void IncrementalKdTree::build(std::uint32_t at, Points points) {
   build(pair + 1, points.subspan(first.size()));
   refresh(at);
   nodes_[at].num_changes = 0;
+  nodes_[at].touched = false;
 }
 
 void IncrementalKdTree::refresh(std::uint32_t at) {
@@ -155,23 +177,32 @@ void IncrementalKdTree::refresh(std::uint32_t at) {
     node.min = node.min.cwiseMin(part.min);
     node.max = node.max.cwiseMax(part.max);
   }
-  node.num_changes += std::max(node.num_valid, num_before) - std::min(node.num_valid, num_before);
+  const std::uint32_t num_changed =
+      std::max(node.num_valid, num_before) - std::min(node.num_valid, num_before);
+  node.num_changes += num_changed;
+  node.touched = node.touched || num_changed > 0;
+}
+
+bool IncrementalKdTree::leans(const Node& node) const {
+  const double num_stored = node.num_stored;
+  if (num_stored - node.num_valid > kMaxDeletedShare * num_stored) return true;
+  const std::uint32_t num_heavier =
+      std::max(nodes_[node.child].num_stored, nodes_[node.child + 1].num_stored);
+  return !is_balanced(num_heavier, node.num_stored) &&
+         node.num_changes > kMinChangedShare * num_stored;
 }
 
 void IncrementalKdTree::rebalance(std::uint32_t at) {
-  const Node& node = nodes_[at];
-  if (node.is_leaf) return;
-  const double num_stored = node.num_stored;
-  if (num_stored - node.num_valid > kMaxDeletedShare * num_stored) {
+  if (nodes_[at].is_leaf || !nodes_[at].touched) return;
+  nodes_[at].touched = false;
+  if (leans(nodes_[at])) {
     rebuild(at);
     return;
   }
-  const std::uint32_t num_heavier =
-      std::max(nodes_[node.child].num_stored, nodes_[node.child + 1].num_stored);
-  if (num_heavier > kMaxHeavierShare * num_stored &&
-      node.num_changes > kMinChangedShare * num_stored) {
-    rebuild(at);
-  }
+  const std::uint32_t child = nodes_[at].child;
+  rebalance(child);
+  rebalance(child + 1);
+  refresh(at);
 }
 
 void IncrementalKdTree::push_down(std::uint32_t at) {
