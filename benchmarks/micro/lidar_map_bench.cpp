@@ -56,7 +56,7 @@ void insert_scan(benchmark::State& state) {
   const Points places = stops(size, static_cast<int>(state.max_iterations));
   std::vector<Points> scans;
   for (const Eigen::Vector3f& place : places) {
-    scans.push_back(scan_at(place, kScanSize, scans.size()));
+    scans.push_back(scan_at(place, kScanSize, 2, scans.size()));
   }
   std::size_t next = 0;
   for (auto _ : state) map.insert(scans[next++]);
@@ -73,7 +73,7 @@ void nearest_five(benchmark::State& state) {
   constexpr int kStops = 50;
   Points queries;
   for (const Eigen::Vector3f& place : stops(size, kStops)) {
-    for (const Eigen::Vector3f& point : scan_at(place, 1000, queries.size())) {
+    for (const Eigen::Vector3f& point : scan_at(place, 1000, 10, queries.size())) {
       queries.push_back(point);
     }
   }

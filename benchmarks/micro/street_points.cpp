@@ -72,7 +72,10 @@ Points stops(std::size_t map_size, int count) {
   return places;
 }
 
-Points scan_at(const Eigen::Vector3f& place, std::size_t size, std::uint64_t seed) {
+Points scan_at(const Eigen::Vector3f& place,
+               std::size_t size,
+               std::size_t new_every,
+               std::uint64_t seed) {
   constexpr float kReach_m = 40.0F;
   constexpr int kRowsSeen = 2 * kRowsOfFront;
   Random random(seed, "bench/scan");
@@ -82,7 +85,7 @@ Points scan_at(const Eigen::Vector3f& place, std::size_t size, std::uint64_t see
     const int slice = static_cast<int>(
         (place.x() + static_cast<float>(random.uniform(-kReach_m, kReach_m))) / kVoxel_m);
     if (slice < 0 || slice >= kSlices) continue;
-    const bool is_new = points.size() % 2 == 1;
+    const bool is_new = points.size() % new_every == 0;
     const int row = static_cast<int>(random.index(kRowsOfFront)) + (is_new ? kRowsOfFront : 0);
     const int around = is_new || random.index(2) == 0
                            ? kColumnsOfGround + row + (random.index(2) == 0 ? kRowsSeen : 0)

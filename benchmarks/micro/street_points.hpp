@@ -17,8 +17,11 @@ using Points = std::vector<Eigen::Vector3f>;
 /// Places of the vehicle, spread over a map of that size.
 [[nodiscard]] Points stops(std::size_t map_size, int count);
 
-/// A thinned scan from such a place: half of it shows voxels of the map again, half is new (fronts
-/// above 12 m), all within 40 m.
-[[nodiscard]] Points scan_at(const Eigen::Vector3f& place, std::size_t size, std::uint64_t seed);
+/// A thinned scan from such a place, all within 40 m: it shows voxels of the map again, but for
+/// every `new_every`th point, which is new (on fronts above 12 m).
+[[nodiscard]] Points scan_at(const Eigen::Vector3f& place,
+                             std::size_t size,
+                             std::size_t new_every,
+                             std::uint64_t seed);
 
 }  // namespace hybridfusion::bench

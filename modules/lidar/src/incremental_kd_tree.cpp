@@ -47,7 +47,7 @@ void IncrementalKdTree::insert_below(std::uint32_t at, Points points) {
 
 void IncrementalKdTree::insert_into_leaf(std::uint32_t at, Points points) {
   std::vector<Eigen::Vector3f> overflow;
-  for (const Eigen::Vector3f& point : points) {
+  for (const Eigen::Vector3f& point : one_per_voxel(points)) {
     if (!merge_into_leaf(nodes_[at], point)) overflow.push_back(point);
   }
   refresh(at);
@@ -56,7 +56,6 @@ void IncrementalKdTree::insert_into_leaf(std::uint32_t at, Points points) {
   for (std::uint32_t i = 0; i < nodes_[at].num_valid; ++i) {
     overflow.push_back(leaves_[leaf].point(i));
   }
-  thin(overflow);
   free_leaves_.push_back(leaf);
   build(at, overflow);
 }

@@ -21,7 +21,8 @@ class IncrementalKdTree {
   /// @pre voxel_m > 0
   explicit IncrementalKdTree(double voxel_m);
 
-  /// Points are ignored beyond +-2^20 voxels and when not finite.
+  /// Points of one call that share a voxel count as their mean, so that a scan brings a voxel one
+  /// point, as in FAST-LIO2. Points are ignored beyond +-2^20 voxels and when not finite.
   void insert(std::span<const Eigen::Vector3f> points);
   /// The `count` nearest points strictly nearer than `radius_m`. @pre 0 < count <= kCapacity
   void nearest(const Eigen::Vector3f& query,
@@ -90,7 +91,7 @@ class IncrementalKdTree {
   void rebalance(std::uint32_t at);
   void refresh(std::uint32_t at);
   void push_down(std::uint32_t at);
-  void thin(std::vector<Eigen::Vector3f>& points) const;
+  [[nodiscard]] Points one_per_voxel(Points points) const;
   [[nodiscard]] int depth_below(std::uint32_t at) const;
 
   // Pools.

@@ -41,27 +41,34 @@ float IncrementalKdTree::off_center(const Eigen::Vector3f& point) const {
   return ((point * inverse_voxel_).array() - voxel_corner(point) - 0.5F).matrix().squaredNorm();
 }
 
-void IncrementalKdTree::thin(std::vector<Eigen::Vector3f>& points) const {
-  struct Candidate {
+IncrementalKdTree::Points IncrementalKdTree::one_per_voxel(Points points) const {
+  if (points.size() < 2) return points;
+  struct Entry {
     std::uint64_t voxel;
-    float off_center;
-    std::uint32_t index;
+    Eigen::Vector3f point;
   };
-  std::vector<Candidate> candidates(points.size());
-  for (std::uint32_t i = 0; i < points.size(); ++i) {
-    candidates[i] = {.voxel = voxel_key(voxel_corner(points[i]).cast<int>()),
-                     .off_center = off_center(points[i]),
-                     .index = i};
+  std::vector<Entry> entries;
+  entries.reserve(points.size());
+  for (const Eigen::Vector3f& point : points) {
+    entries.push_back({.voxel = voxel_key(voxel_corner(point).cast<int>()), .point = point});
   }
-  std::ranges::sort(candidates, [](const Candidate& a, const Candidate& b) {
-    return std::tie(a.voxel, a.off_center, a.index) < std::tie(b.voxel, b.off_center, b.index);
+  std::ranges::sort(entries, [](const Entry& a, const Entry& b) {
+    return std::tie(a.voxel, a.point[0], a.point[1], a.point[2]) <
+           std::tie(b.voxel, b.point[0], b.point[1], b.point[2]);
   });
-  const auto repeated = std::ranges::unique(candidates, {}, &Candidate::voxel);
-  candidates.erase(repeated.begin(), repeated.end());
-  std::vector<Eigen::Vector3f> kept;
-  kept.reserve(candidates.size());
-  for (const Candidate& candidate : candidates) kept.push_back(points[candidate.index]);
-  points.swap(kept);
+  std::size_t num_voxels = 0;
+  for (std::size_t begin = 0, end = 0; begin < entries.size(); begin = end) {
+    Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+    for (; end < entries.size() && entries[end].voxel == entries[begin].voxel; ++end) {
+      sum += entries[end].point;
+    }
+    Eigen::Vector3f mean = sum / static_cast<float>(end - begin);
+    const Eigen::Vector3f& first = entries[begin].point;
+    // Rounding may carry the mean of points on the border of a voxel across it.
+    if ((voxel_corner(mean) != voxel_corner(first)).any()) mean = first;
+    points[num_voxels++] = mean;
+  }
+  return points.first(num_voxels);
 }
 
 IncrementalKdTree::Points IncrementalKdTree::below(const Division& division, Points points) const {

@@ -13,11 +13,35 @@ constexpr int kMaxIndex = (1 << 20) - 1;
 // After this many points the mean stands: the map is an anchor, not a follower of later drift.
 constexpr std::uint8_t kMaxCount = 100;
 
-std::size_t hash_of(std::uint64_t key) {
+std::uint64_t hash_of(std::uint64_t key) {
   key ^= key >> 32U;
   key *= 0x9E3779B97F4A7C15ULL;  // Fibonacci hashing
-  return static_cast<std::size_t>(key ^ (key >> 29U));
+  return key ^ (key >> 29U);
 }
+
+std::uint32_t tag_of(std::uint64_t hash) {
+  return static_cast<std::uint32_t>(hash >> 32U);
+}
+
+/// A cell and the 26 around it as codes an axis: 0 the same, 1 the side that the query is nearer
+/// to, 2 the other side. Those that touch the query's octant come first.
+constexpr auto kAround = [] {
+  std::array<std::array<std::uint8_t, 3>, 27> codes{};
+  for (std::uint8_t i = 0; i < 27; ++i) {
+    codes[i] = {static_cast<std::uint8_t>(i % 3),
+                static_cast<std::uint8_t>(i / 3 % 3),
+                static_cast<std::uint8_t>(i / 9)};
+  }
+  const auto distance = [](const auto& code) {
+    // A far side is at least half a cell off, farther than a near corner mostly is.
+    constexpr std::array<int, 3> kCosts{0, 1, 4};
+    return kCosts[code[0]] + kCosts[code[1]] + kCosts[code[2]];
+  };
+  std::ranges::sort(codes, [&](const auto& a, const auto& b) {
+    return distance(a) < distance(b) || (distance(a) == distance(b) && a < b);
+  });
+  return codes;
+}();
 
 /// NaN when any coordinate is.
 float largest_of(const Eigen::Array3f& scaled) {
@@ -29,36 +53,41 @@ float largest_of(const Eigen::Array3f& scaled) {
 VoxelMap::VoxelMap(double voxel_m)
     : voxel_m_(static_cast<float>(voxel_m)), inverse_cell_(static_cast<float>(0.5 / voxel_m)) {
   HF_CHECK(voxel_m > 0.0);
-  slots_.assign(1024, kNone);
+  slots_.assign(1024, Slot{});
+}
+
+std::size_t VoxelMap::slot_of(std::uint64_t key) const {
+  const std::uint64_t hash = hash_of(key);
+  const std::uint32_t tag = tag_of(hash);
+  const std::size_t mask = slots_.size() - 1;
+  for (std::size_t i = hash & mask;; i = (i + 1) & mask) {
+    const Slot& slot = slots_[i];
+    if (slot.cell == kNone || (slot.tag == tag && cells_[slot.cell].key == key)) return i;
+  }
 }
 
 std::uint32_t VoxelMap::find(std::uint64_t key) const {
-  const std::size_t mask = slots_.size() - 1;
-  for (std::size_t i = hash_of(key) & mask;; i = (i + 1) & mask) {
-    const std::uint32_t cell = slots_[i];
-    if (cell == kNone || cells_[cell].key == key) return cell;
-  }
+  return slots_[slot_of(key)].cell;
 }
 
 std::uint32_t VoxelMap::find_or_add(std::uint64_t key) {
   if (2 * (cells_.size() + 1) > slots_.size()) rehash(2 * slots_.size());
-  const std::size_t mask = slots_.size() - 1;
-  std::size_t i = hash_of(key) & mask;
-  for (; slots_[i] != kNone; i = (i + 1) & mask) {
-    if (cells_[slots_[i]].key == key) return slots_[i];
+  Slot& slot = slots_[slot_of(key)];
+  if (slot.cell == kNone) {
+    slot = {.tag = tag_of(hash_of(key)), .cell = static_cast<std::uint32_t>(cells_.size())};
+    cells_.push_back({.key = key});
   }
-  slots_[i] = static_cast<std::uint32_t>(cells_.size());
-  cells_.push_back({.key = key});
-  return slots_[i];
+  return slot.cell;
 }
 
 void VoxelMap::rehash(std::size_t num_slots) {
-  slots_.assign(num_slots, kNone);
+  slots_.assign(num_slots, Slot{});
   const std::size_t mask = num_slots - 1;
   for (std::uint32_t cell = 0; cell < cells_.size(); ++cell) {
-    std::size_t i = hash_of(cells_[cell].key) & mask;
-    while (slots_[i] != kNone) i = (i + 1) & mask;
-    slots_[i] = cell;
+    const std::uint64_t hash = hash_of(cells_[cell].key);
+    std::size_t i = hash & mask;
+    while (slots_[i].cell != kNone) i = (i + 1) & mask;
+    slots_[i] = {.tag = tag_of(hash), .cell = cell};
   }
 }
 
@@ -119,6 +148,22 @@ void VoxelMap::search_cell(const Eigen::Vector3i& offset, Search& search) const 
   }
 }
 
+void VoxelMap::search_nearest_cells(Search& search) const {
+  std::array<std::array<int, 3>, 3> offsets{};
+  std::array<std::array<float, 3>, 3> gaps{};
+  for (int axis = 0; axis < 3; ++axis) {
+    const int near = search.squared_gap(axis, -1) < search.squared_gap(axis, 1) ? -1 : 1;
+    offsets[axis] = {0, near, -near};
+    for (int code = 0; code < 3; ++code) {
+      gaps[axis][code] = search.squared_gap(axis, offsets[axis][code]);
+    }
+  }
+  for (const auto& [x, y, z] : kAround) {
+    if (gaps[0][x] + gaps[1][y] + gaps[2][z] >= search.best.limit()) continue;
+    search_cell({offsets[0][x], offsets[1][y], offsets[2][z]}, search);
+  }
+}
+
 void VoxelMap::search_ring(int ring, Search& search) const {
   for (int dz = -ring; dz <= ring; ++dz) {
     const float z2 = search.squared_gap(2, dz);
@@ -149,10 +194,11 @@ void VoxelMap::nearest(const Eigen::Vector3f& query,
                 .in_cell = (scaled - scaled.floor()).matrix() * cell_m,
                 .cell_m = cell_m,
                 .best = best};
+  search_nearest_cells(search);
   // Rings of cells outwards: a ring is left out as soon as it cannot beat the farthest kept point.
   const int num_rings = static_cast<int>(std::ceil(radius_m * inverse_cell_));
-  for (int ring = 0; ring <= num_rings; ++ring) {
-    if (ring > 1 && search.squared_ring_gap(ring) >= search.best.limit()) return;
+  for (int ring = 2; ring <= num_rings; ++ring) {
+    if (search.squared_ring_gap(ring) >= search.best.limit()) return;
     search_ring(ring, search);
   }
 }

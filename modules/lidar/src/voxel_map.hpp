@@ -41,20 +41,27 @@ class VoxelMap {
     std::array<std::uint8_t, 8> counts = {};  // 0: empty
   };
 
+  /// Of the table; the tag tells most other cells apart without a look at them.
+  struct Slot {
+    std::uint32_t tag = 0;
+    std::uint32_t cell = kNone;
+  };
   struct Search;
 
   void insert(const Eigen::Vector3f& point);
+  void search_nearest_cells(Search& search) const;
   void search_ring(int ring, Search& search) const;
   void search_cell(const Eigen::Vector3i& offset, Search& search) const;
   template <class Predicate>
   void erase_points(const Predicate& goes);
+  [[nodiscard]] std::size_t slot_of(std::uint64_t key) const;
   [[nodiscard]] std::uint32_t find(std::uint64_t key) const;
   std::uint32_t find_or_add(std::uint64_t key);
   void rehash(std::size_t num_slots);
 
   float voxel_m_;
   float inverse_cell_;
-  std::vector<std::uint32_t> slots_;
+  std::vector<Slot> slots_;
   std::vector<Cell> cells_;
   std::size_t num_points_ = 0;
 };

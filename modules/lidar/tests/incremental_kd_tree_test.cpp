@@ -147,10 +147,16 @@ TEST(IncrementalKdTree, IsTheSameTreeAfterTheSameCalls) {
 
 TEST(IncrementalKdTree, KeepsThePointNearestToTheCentreOfItsVoxel) {
   IncrementalKdTree tree(1.0);
-  tree.insert(Points{{0.9F, 0.5F, 0.5F}, {0.55F, 0.5F, 0.5F}, {0.3F, 0.5F, 0.5F}});
+  for (const float x : {0.9F, 0.55F, 0.3F}) tree.insert(Points{{x, 0.5F, 0.5F}});
   tree.insert(Points{{-0.4F, 0.5F, 0.5F}});
   tree.insert(Points{{0.1F, 0.5F, 0.5F}});
   EXPECT_EQ(sorted(tree.points()), (Points{{-0.4F, 0.5F, 0.5F}, {0.55F, 0.5F, 0.5F}}));
+}
+
+TEST(IncrementalKdTree, TakesTheMeanOfWhatOneScanBringsToAVoxel) {
+  IncrementalKdTree tree(1.0);
+  tree.insert(Points{{0.5F, 0.5F, 0.75F}, {0.75F, 0.25F, 0.75F}});
+  EXPECT_EQ(tree.points(), (Points{{0.625F, 0.375F, 0.75F}}));
 }
 
 }  // namespace

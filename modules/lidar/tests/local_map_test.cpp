@@ -204,8 +204,11 @@ TEST(LocalMap, IsOfTheStructureThatIsNamed) {
   const Points points{{0.2F, 0.2F, 0.2F}, {0.6F, 0.4F, 0.2F}};
   hash.insert(points);
   tree.insert(points);
-  EXPECT_TRUE(hash.points()[0].isApprox(Eigen::Vector3f(0.4F, 0.3F, 0.2F)));
-  EXPECT_EQ(tree.points()[0], points[1]);
+  const Points closer{{0.6F, 0.5F, 0.5F}};
+  hash.insert(closer);
+  tree.insert(closer);
+  EXPECT_TRUE(hash.points()[0].isApprox(Eigen::Vector3f(1.4F / 3.0F, 1.1F / 3.0F, 0.3F)));
+  EXPECT_EQ(tree.points(), closer);
   EXPECT_THROW(LocalMap({.structure = "octree"}), std::logic_error);
 }
 

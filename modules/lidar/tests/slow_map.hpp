@@ -22,7 +22,10 @@ inline std::vector<Eigen::Vector3f> sorted(std::vector<Eigen::Vector3f> points) 
 }
 
 /// What a thinning map makes of the points of one voxel, one after the other.
-enum class Thinning { kMean /* of the first 100 */, kNearestToCenter };
+enum class Thinning {
+  kMean,             // of the first 100 points
+  kNearestToCenter,  // of the means that the calls of insert() brought
+};
 
 /// Slow twin of the maps: one entry a voxel, every query looks at all of them.
 class SlowMap {
@@ -30,13 +33,12 @@ class SlowMap {
   SlowMap(float voxel_m, Thinning thinning) : inverse_(1.0F / voxel_m), thinning_(thinning) {}
 
   void insert(const std::vector<Eigen::Vector3f>& points) {
-    for (const Eigen::Vector3f& point : points) {
-      const Eigen::Array3f corner = (point.array() * inverse_).floor();
-      auto& [kept, count] = voxels_[voxel_key(corner.cast<int>())];
+    for (const Eigen::Vector3f& point :
+         thinning_ == Thinning::kMean ? points : means_of_voxels(points)) {
+      auto& [kept, count] = voxels_[key_of(point)];
       ++count;
       if (thinning_ == Thinning::kMean) {
-        if (count > 100) continue;
-        kept += (point - kept) / static_cast<float>(count);
+        if (count <= 100) kept += (point - kept) / static_cast<float>(count);
       } else if (count == 1 || off_center(point) < off_center(kept)) {
         kept = point;
       }
@@ -72,6 +74,22 @@ class SlowMap {
   }
 
  private:
+  [[nodiscard]] std::uint64_t key_of(const Eigen::Vector3f& point) const {
+    return voxel_key((point.array() * inverse_).floor().cast<int>());
+  }
+  [[nodiscard]] std::vector<Eigen::Vector3f> means_of_voxels(
+      const std::vector<Eigen::Vector3f>& points) const {
+    std::map<std::uint64_t, std::vector<Eigen::Vector3f>> groups;
+    for (const Eigen::Vector3f& point : points) groups[key_of(point)].push_back(point);
+    std::vector<Eigen::Vector3f> means;
+    for (const auto& [key, group] : groups) {
+      Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+      for (const Eigen::Vector3f& point : sorted(group)) sum += point;
+      const Eigen::Vector3f mean = sum / static_cast<float>(group.size());
+      means.push_back(key_of(mean) == key ? mean : sorted(group).front());
+    }
+    return means;
+  }
   [[nodiscard]] float off_center(const Eigen::Vector3f& point) const {
     const Eigen::Array3f scaled = point.array() * inverse_;
     return (scaled - scaled.floor() - 0.5F).matrix().squaredNorm();
