@@ -5,8 +5,6 @@
 #include <hybridfusion/core/error.hpp>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace hybridfusion {
 namespace {

@@ -78,20 +78,25 @@ class IncrementalKdTree {
   };
   using Points = std::span<Eigen::Vector3f>;
 
-  // Building and balance.
+  // The voxel grid, and where it can be divided; corners and distances in voxels.
+  [[nodiscard]] Eigen::Array3f voxel_corner(const Eigen::Vector3f& point) const;
+  [[nodiscard]] float off_center(const Eigen::Vector3f& point) const;
+  [[nodiscard]] Points one_per_voxel(Points points) const;
+  [[nodiscard]] static bool is_balanced(std::size_t num_heavier, std::size_t num_points);
   [[nodiscard]] Division divide_along(int axis,
                                       int low,
                                       int high,
                                       std::span<const Eigen::Vector3f> points) const;
   [[nodiscard]] Division divide(std::span<const Eigen::Vector3f> points) const;
   [[nodiscard]] Points below(const Division& division, Points points) const;
+
+  // Building and balance.
   void build(std::uint32_t at, Points points);
   void rebuild(std::uint32_t at);
   [[nodiscard]] bool leans(const Node& node) const;
   void rebalance(std::uint32_t at);
   void refresh(std::uint32_t at);
   void push_down(std::uint32_t at);
-  [[nodiscard]] Points one_per_voxel(Points points) const;
   [[nodiscard]] int depth_below(std::uint32_t at) const;
 
   // Pools.
@@ -99,12 +104,10 @@ class IncrementalKdTree {
   [[nodiscard]] std::uint32_t allocate_leaf();
   void release_below(std::uint32_t at);
 
+  // One operation each, for a subtree.
   void insert_below(std::uint32_t at, Points points);
   void insert_into_leaf(std::uint32_t at, Points points);
   [[nodiscard]] bool merge_into_leaf(Node& node, const Eigen::Vector3f& point);
-  /// In voxels.
-  [[nodiscard]] Eigen::Array3f voxel_corner(const Eigen::Vector3f& point) const;
-  [[nodiscard]] float off_center(const Eigen::Vector3f& point) const;
   void nearest_below(std::uint32_t at, const Eigen::Vector3f& query, NearestPoints& best) const;
   template <class Region>
   void erase_below(std::uint32_t at, const Region& region);
