@@ -38,7 +38,7 @@ ScanFilter::ScanFilter(const OdometryOptions& options,
       noise_(rig.imu_noise),
       estimate_(initial),
       time_(time),
-      map_(options.local_map.voxel_m) {
+      map_(options.local_map) {
   if (options.filter.estimate_extrinsic) {
     estimate_.covariance.diagonal()
         .segment<3>(err::kExtrinsicPosition)
@@ -124,9 +124,12 @@ ScanEstimate ScanFilter::process(const PreparedScan& scan, const ImuBuffer& imu)
 void ScanFilter::extend_map(const std::vector<LidarPoint>& deskewed) {
   const Eigen::Matrix3f rotation = estimate_.state.map_from_imu.cast<float>();
   const Eigen::Vector3f position = estimate_.state.position_in_map.cast<float>();
+  std::vector<Eigen::Vector3f> in_map;
+  in_map.reserve(deskewed.size());
   for (const LidarPoint& point : deskewed) {
-    map_.insert(rotation * point.point_in_lidar + position);
+    in_map.push_back(rotation * point.point_in_lidar + position);
   }
+  map_.insert(in_map);
   // HybridFusion III-B.2: when the sensing range touches the border of the cube, the cube follows.
   const double half_side_m = 0.5 * options_.local_map.cube_side_m;
   const Eigen::Vector3d offset = estimate_.state.position_in_map - cube_center_;

@@ -2,7 +2,7 @@
 
 #include "imu_buffer.hpp"
 #include "imu_propagation.hpp"
-#include "voxel_map.hpp"
+#include "local_map.hpp"
 
 #include <hybridfusion/lidar/odometry.hpp>
 
@@ -30,7 +30,7 @@ class ScanFilter {
   [[nodiscard]] ScanEstimate process(const PreparedScan& scan, const ImuBuffer& imu);
 
   [[nodiscard]] Timestamp time() const { return time_; }
-  [[nodiscard]] const VoxelMap& map() const { return map_; }
+  [[nodiscard]] const LocalMap& map() const { return map_; }
   [[nodiscard]] const StateEstimate& estimate() const { return estimate_; }
 
  private:
@@ -42,7 +42,7 @@ class ScanFilter {
   ImuNoise noise_;
   StateEstimate estimate_;
   Timestamp time_;
-  VoxelMap map_;
+  LocalMap map_;
   Eigen::Vector3d rate_radps_ = Eigen::Vector3d::Zero();  // over the last scan, from the poses
   Eigen::Vector3d cube_center_ = Eigen::Vector3d::Zero();
 };

@@ -55,7 +55,7 @@ double point_to_plane(const NavState& state,
   return plane.normal.dot(point - plane.center);
 }
 
-ScanMatcher::ScanMatcher(const VoxelMap& map, const LidarFilterOptions& options)
+ScanMatcher::ScanMatcher(const LocalMap& map, const LidarFilterOptions& options)
     : map_(map), options_(options) {}
 
 void ScanMatcher::set_points(std::vector<Eigen::Vector3f> points_in_imu) {
@@ -71,17 +71,19 @@ void ScanMatcher::match(const NavState& state) {
   const Eigen::Matrix3f rotation = state.map_from_imu.cast<float>();
   const Eigen::Vector3f position = state.position_in_map.cast<float>();
   const auto radius = static_cast<float>(options_.neighbor_radius_m);
-  MapNeighbors neighbors;
   float reach2 = 0.0F;
-  for (std::size_t i = 0; i < points_.size(); ++i) {
-    planes_[i].sigma_m = -1.0;
-    map_.nearest(rotation * points_[i] + position, kNeighbors, radius, neighbors);
-    if (neighbors.count < kNeighbors) continue;
-    const auto plane = fit_plane(neighbors, options_.max_plane_offset_m);
-    if (!plane) continue;
-    planes_[i] = *plane;
-    reach2 = std::max(reach2, points_[i].squaredNorm());
-  }
+  map_.visit([&](const auto& map) {
+    MapNeighbors neighbors;
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      planes_[i].sigma_m = -1.0;
+      map.nearest(rotation * points_[i] + position, kNeighbors, radius, neighbors);
+      if (neighbors.count < kNeighbors) continue;
+      const auto plane = fit_plane(neighbors, options_.max_plane_offset_m);
+      if (!plane) continue;
+      planes_[i] = *plane;
+      reach2 = std::max(reach2, points_[i].squaredNorm());
+    }
+  });
   reach_m_ = std::sqrt(static_cast<double>(reach2));
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "local_map.hpp"
 #include "nav_state.hpp"
-#include "voxel_map.hpp"
 
 #include <hybridfusion/core/sensor_data.hpp>
 #include <hybridfusion/lidar/odometry_options.hpp>
@@ -47,7 +47,7 @@ struct MatchInformation {
 /// Points of one scan with the planes they were matched to.
 class ScanMatcher {
  public:
-  ScanMatcher(const VoxelMap& map, const LidarFilterOptions& options);
+  ScanMatcher(const LocalMap& map, const LidarFilterOptions& options);
 
   /// Points in the IMU frame at scan end; forgets all planes.
   void set_points(std::vector<Eigen::Vector3f> points_in_imu);
@@ -61,7 +61,7 @@ class ScanMatcher {
   [[nodiscard]] double reach_m() const { return reach_m_; }
 
  private:
-  const VoxelMap& map_;
+  const LocalMap& map_;
   const LidarFilterOptions& options_;
   std::vector<Eigen::Vector3f> points_ = {};
   std::vector<Plane> planes_ = {};  // sigma < 0: none

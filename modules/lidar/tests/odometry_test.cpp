@@ -71,6 +71,19 @@ TEST(LidarOdometry, LocatesEveryScanOfACleanDrive) {
   EXPECT_TRUE(clean.summary.warnings.empty());
 }
 
+TEST(LidarOdometry, IsAccurateOnTheIncrementalTreeToo) {
+  const Drive tree = run(standard_drive(), {.local_map = {.structure = "ikdtree"}});
+  EXPECT_EQ(tree.trajectory.poses.size(), standard_drive().scans.size());
+  // A voxel keeps one noisy point, not the mean of all.
+  EXPECT_LT(tree.error_m, 1.5 * kCleanError_m);
+  EXPECT_LT(tree.tilt_rad, 0.01);
+  EXPECT_EQ(tree.flags, 0U);
+  EXPECT_GT(tree.summary.num_map_points, 1000U);
+  const Drive again = run(standard_drive(), {.local_map = {.structure = "ikdtree"}});
+  EXPECT_EQ(again.trajectory.poses.back().map_from_body.translation,
+            tree.trajectory.poses.back().map_from_body.translation);
+}
+
 TEST(LidarOdometry, StartsWithoutAStandstill) {
   SimulatedDrive drive = standard_drive();
   const auto early = [](const auto& message) {
@@ -268,6 +281,7 @@ TEST(LidarOdometry, RefinesTheExtrinsicWhenAsked) {
 TEST(LidarOdometry, RefusesWhatItCannotUse) {
   EXPECT_FALSE(LidarOdometry::create({.min_range_m = 50.0, .max_range_m = 20.0}, {}));
   EXPECT_FALSE(LidarOdometry::create({.local_map = {.cube_side_m = 100.0}}, {}));
+  EXPECT_FALSE(LidarOdometry::create({.local_map = {.structure = "octree"}}, {}));
   LidarRig rig;
   rig.imu_noise.gyro_noise_density = 0.0;
   EXPECT_EQ(LidarOdometry::create({}, rig).error().code, ErrorCode::kInvalidOptions);

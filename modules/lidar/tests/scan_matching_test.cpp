@@ -62,23 +62,25 @@ TEST(PointToPlane, RowAgreesWithDifferences) {
 
 /// Map of three walls of a room and the points of a scan of them, seen from `state`.
 struct Room {
-  VoxelMap map{0.5};
+  LocalMap map{LocalMapOptions{}};
   std::vector<Eigen::Vector3f> points = {};
 };
 
 Room make_room(const NavState& state, int num_walls) {
   Room room;
   Random random(9, "test/room");
+  std::vector<Eigen::Vector3f> on_walls;
   for (int i = 0; i < 6000; ++i) {
     // The walls end before they meet: a voxel across an edge would hold a mean off both.
     Eigen::Vector3d p(random.uniform(1, 10), random.uniform(1, 10), random.uniform(1, 10));
     p[i % num_walls] = 0.0;
-    room.map.insert(p.cast<float>());
+    on_walls.push_back(p.cast<float>());
     if (i % 10 == 0) {
       room.points.push_back(
           (state.map_from_imu.transpose() * (p - state.position_in_map)).cast<float>());
     }
   }
+  room.map.insert(on_walls);
   return room;
 }
 

@@ -164,6 +164,7 @@ struct OptionFields<LidarFilterOptions> {
 
 /// Map that scans are matched against.
 struct LocalMapOptions {
+  std::string structure = "hash";
   double voxel_m = 0.5;
   double cube_side_m = 1000.0;
 };
@@ -171,6 +172,13 @@ template <>
 struct OptionFields<LocalMapOptions> {
   using T = LocalMapOptions;
   static constexpr auto fields = std::tuple{
+      Field{&T::structure,
+            {.key = "structure",
+             .choices = "hash|ikdtree",
+             .doc = "hash: flat hash of voxels that keep the mean of their points, the quicker and "
+                    "more accurate; ikdtree: incremental k-d tree that keeps the point nearest to "
+                    "each voxel's centre, as the paper.",
+             .source = "HybridFusion III-B.2; FAST-LIO2, IV"}},
       Field{&T::voxel_m,
             {.key = "voxel_m",
              .unit = "m",
