@@ -55,6 +55,16 @@ double point_to_plane(const NavState& state,
   return plane.normal.dot(point - plane.center);
 }
 
+Eigen::Vector3d trusted_normal(const Eigen::Vector3d& normal, const WeakDirections& weak) {
+  constexpr double kStrongCosine = 0.5;
+  Eigen::Vector3d trusted = normal;
+  for (int i = 0; i < weak.count; ++i) {
+    const double cosine = normal.dot(weak.directions[i]);
+    if (std::abs(cosine) < kStrongCosine) trusted -= cosine * weak.directions[i];
+  }
+  return trusted;
+}
+
 ScanMatcher::ScanMatcher(const VoxelMap& map, const LidarFilterOptions& options)
     : map_(map), options_(options) {}
 
@@ -85,7 +95,7 @@ void ScanMatcher::match(const NavState& state) {
   reach_m_ = std::sqrt(static_cast<double>(reach2));
 }
 
-MatchInformation ScanMatcher::linearize(const NavState& state) const {
+MatchInformation ScanMatcher::linearize(const NavState& state, const WeakDirections& weak) const {
   MatchInformation sum;
   const double sigma2 = options_.point_sigma_m * options_.point_sigma_m;
   const bool with_extrinsic = options_.estimate_extrinsic;
@@ -95,6 +105,11 @@ MatchInformation ScanMatcher::linearize(const NavState& state) const {
     const Eigen::Vector3d point = points_[i].cast<double>();
     MatchVector row;
     const double residual = point_to_plane(state, point, plane, &row);
+    if (weak.count > 0) {
+      Plane trusted = plane;
+      trusted.normal = trusted_normal(plane.normal, weak);
+      (void)point_to_plane(state, point, trusted, &row);
+    }
     // The gate of FAST-LIO2: 1 - 0.9 |r| / sqrt(range) > 0.9.
     if (std::abs(residual) > std::sqrt(point.norm()) / 9.0) continue;
     const double variance = sigma2 + plane.sigma_m * plane.sigma_m / kNeighbors;
