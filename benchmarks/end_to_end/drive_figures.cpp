@@ -2,6 +2,7 @@
 
 #include <hybridfusion/evaluation/surface_distance.hpp>
 #include <hybridfusion/evaluation/trajectory_error.hpp>
+#include <hybridfusion/io/atomic_file.hpp>
 #include <hybridfusion/io/ply.hpp>
 #include <hybridfusion/io/scan_source.hpp>
 #include <hybridfusion/io/sensors_yaml.hpp>
@@ -20,6 +21,8 @@
 
 namespace hybridfusion::benchmark {
 namespace {
+
+namespace fs = std::filesystem;
 
 constexpr double kStartup_s = 8.0;
 constexpr double kMiB = 1024.0 * 1024.0;
@@ -59,13 +62,24 @@ LidarRig read_rig(const SensorConfig& sensors) {
 
 struct Run {
   Trajectory trajectory = {};
+  std::vector<ScanQuality> quality = {};
   PointCloud map = {};
 };
 
-void note(const ScanQuality& quality, Figures& figures) {
-  ++figures.num_scans;
-  if (quality.flags != 0) ++figures.num_flagged;
-  figures.points_per_scan += quality.num_points;
+void count(const std::vector<ScanQuality>& scans, Figures& figures) {
+  figures.num_scans = scans.size();
+  for (const ScanQuality& quality : scans) {
+    if (quality.flags != 0) ++figures.num_flagged;
+    figures.points_per_scan += quality.num_points / static_cast<double>(scans.size());
+  }
+}
+
+/// What a person looks at when the figures surprise.
+Expected<void> write_details(const fs::path& folder, const std::string& name, const Run& run) {
+  if (auto written = write_tum(folder / (name + ".tum"), run.trajectory); !written) return written;
+  std::string csv = quality_csv_header() + "\n";
+  for (const ScanQuality& quality : run.quality) csv += quality_csv_row(quality) + "\n";
+  return write_file_atomically(folder / (name + ".csv"), csv);
 }
 
 Expected<Run> run_filter(const OdometryOptions& options,
@@ -80,7 +94,7 @@ Expected<Run> run_filter(const OdometryOptions& options,
     const std::vector<ScanEstimate> scans = odometry.take();
     for (const ScanEstimate& scan : scans) {
       run.trajectory.poses.push_back({.time = scan.time, .map_from_body = scan.map_from_imu});
-      note(scan.quality, figures);
+      run.quality.push_back(scan.quality);
       scan_ms.push_back(spent_ms / static_cast<double>(scans.size()));
     }
     if (!scans.empty()) spent_ms = 0.0;
@@ -117,10 +131,12 @@ Expected<Run> run_offline(const OdometryOptions& options,
   const double before_ms = thread_cpu_ms();
   HF_TRY(MappingResult mapping, mapper.finish({.num_threads = 1}));
   spent_ms += thread_cpu_ms() - before_ms;
-  for (const ScanQuality& quality : mapping.quality) note(quality, figures);
-  figures.cpu_ms_median = spent_ms / std::max<double>(1.0, static_cast<double>(figures.num_scans));
+  const auto num_scans = static_cast<double>(mapping.quality.size());
+  figures.cpu_ms_median = spent_ms / std::max(1.0, num_scans);
   figures.cpu_ms_p95 = figures.cpu_ms_median;
-  return Run{.trajectory = std::move(mapping.trajectory), .map = std::move(mapping.map)};
+  return Run{.trajectory = std::move(mapping.trajectory),
+             .quality = std::move(mapping.quality),
+             .map = std::move(mapping.map)};
 }
 
 double startup_error_m(const Trajectory& truth,
@@ -140,7 +156,7 @@ double startup_error_m(const Trajectory& truth,
 
 Expected<void> judge_map(const PointCloud& map,
                          const Rigid3& truth_from_map,
-                         const std::filesystem::path& mesh_path,
+                         const fs::path& mesh_path,
                          Figures& figures) {
   constexpr std::size_t kMaxPoints = 200'000;
   HF_TRY(const TriangleMesh mesh, read_ply_mesh(mesh_path));
@@ -185,7 +201,7 @@ Figures from_json(const nlohmann::json& json) {
           .map_p95_m = number("map_p95_m")};
 }
 
-Expected<Figures> run_variant(const Variant& variant, const std::filesystem::path& folder) {
+Expected<Figures> run_variant(const Variant& variant, const fs::path& folder) {
   HF_TRY(const SensorConfig sensors, read_sensors_yaml(folder / "sensors.yaml"));
   const LidarRig rig = read_rig(sensors);
   Figures figures;
@@ -197,8 +213,8 @@ Expected<Figures> run_variant(const Variant& variant, const std::filesystem::pat
                            : run_filter(variant.options, rig, *source, figures));
   }
   figures.memory_mib = peak_memory_mib();
-  figures.points_per_scan /= std::max<double>(1.0, static_cast<double>(figures.num_scans));
-  if (auto written = write_tum(folder / (variant.name + ".tum"), run.trajectory); !written) {
+  count(run.quality, figures);
+  if (auto written = write_details(folder, variant.name, run); !written) {
     return std::unexpected(written.error());
   }
   HF_TRY(const Trajectory truth, read_tum(folder / "truth" / "trajectory_imu.tum"));

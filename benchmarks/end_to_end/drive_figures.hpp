@@ -32,7 +32,7 @@ struct Figures {
 [[nodiscard]] Figures from_json(const nlohmann::json& json);
 
 /// Runs a variant over a simulated folder (street.bag, sensors.yaml, truth/) in this process
-/// and leaves its trajectory there.
+/// and leaves its trajectory and quality.csv there.
 [[nodiscard]] Expected<Figures> run_variant(const Variant& variant,
                                             const std::filesystem::path& folder);
 

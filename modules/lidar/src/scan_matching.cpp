@@ -10,7 +10,12 @@ namespace {
 
 constexpr int kNeighbors = 5;
 // Neighbours whose second spread is below this share of the first lie along a line.
-constexpr double kMinAspect = 0.01;
+constexpr double kMinAspect = 0.12;
+constexpr double kMaxThickness = 0.05;
+// One scanning plane over rough ground (window reveals, leaves) leaves points that lie in a plane,
+// but it is the scanner's, not the world's: it holds the sensor to where it was. Such a plane
+// contains the ray; real surfaces seen that flat say little anyway.
+constexpr double kMinIncidenceSine = 0.08;
 // Scale of the Cauchy weight in standard deviations.
 constexpr double kRobustSigmas = 3.0;
 
@@ -28,7 +33,10 @@ std::optional<Plane> fit_plane(const MapNeighbors& neighbors, double max_offset_
   covariance /= neighbors.count;
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
   solver.computeDirect(covariance);
-  if (!(solver.eigenvalues()[1] > kMinAspect * solver.eigenvalues()[2])) return std::nullopt;
+  const Eigen::Vector3d& spread = solver.eigenvalues();
+  if (!(spread[1] > kMinAspect * spread[2]) || spread[0] > kMaxThickness * spread[1]) {
+    return std::nullopt;
+  }
   plane.normal = solver.eigenvectors().col(0);
   plane.sigma_m = std::sqrt(std::max(0.0, solver.eigenvalues()[0]));
   for (int i = 0; i < neighbors.count; ++i) {
@@ -89,6 +97,9 @@ void ScanMatcher::match(const NavState& state) {
     if (neighbors.count < kNeighbors) continue;
     const auto plane = fit_plane(neighbors, options_.max_plane_offset_m);
     if (!plane) continue;
+    const Eigen::Vector3d ray =
+        state.map_from_imu * (points_[i].cast<double>() - state.lidar_in_imu);
+    if (std::abs(plane->normal.dot(ray)) < kMinIncidenceSine * ray.norm()) continue;
     planes_[i] = *plane;
     reach2 = std::max(reach2, points_[i].squaredNorm());
   }
