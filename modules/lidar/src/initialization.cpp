@@ -40,12 +40,14 @@ StateEstimate common_state(const LidarRig& rig, const Eigen::Vector3d& up_in_imu
 
 ImuMean imu_mean(const ImuBuffer& imu, Timestamp begin, Timestamp end) {
   ImuMean mean;
+  Timestamp first{};
   Eigen::Vector3d gyro2 = Eigen::Vector3d::Zero();
   Eigen::Vector3d accel2 = Eigen::Vector3d::Zero();
   const auto inside = [&](const ImuSample& s) { return s.time >= begin && s.time <= end; };
   for (const ImuSample& sample : imu.samples()) {
     if (!inside(sample)) continue;
-    ++mean.num_samples;
+    if (mean.num_samples++ == 0) first = sample.time;
+    mean.duration_s = to_seconds(sample.time - first);
     mean.angular_velocity_radps += sample.angular_velocity_radps;
     mean.specific_force_mps2 += sample.specific_force_mps2;
   }
@@ -81,14 +83,35 @@ bool is_standstill(const ImuMean& mean, const LidarInitOptions& options, const I
          mean.angular_velocity_radps.norm() <= kMaxBias_radps;
 }
 
-StateEstimate standstill_state(const ImuMean& mean, const LidarRig& rig) {
+StateEstimate standstill_state(const ImuMean& mean,
+                               const LidarRig& rig,
+                               double velocity_sigma_mps) {
   StateEstimate out = common_state(rig, mean.specific_force_mps2);
   out.state.gyro_bias = mean.angular_velocity_radps;
-  // The velocity is left free enough for a steady drive to show itself, see LidarOdometry.
-  set_variance(out, err::kVelocity, 3, 0.5);
-  set_variance(out, err::kGyroBias, 3, 1e-3);
+  // White noise over the window; twice that and a little more for engines and people getting in.
+  const double root_s = std::sqrt(std::max(mean.duration_s, 0.1));
+  const double rate_sigma = 1e-4 + 2.0 * rig.imu_noise.gyro_noise_density / root_s;
+  const double force_sigma = 3e-3 + 2.0 * rig.imu_noise.accel_noise_density / root_s;
+  set_variance(out, err::kVelocity, 3, velocity_sigma_mps);
+  set_variance(out, err::kGyroBias, 3, rate_sigma);
   set_variance(out, err::kAccelBias, 3, 0.1);
   set_variance(out, err::kGravity, 2, 0.015);
+  // At rest the mean force is b_a - R^T g: one update of the prior with it.
+  using ForceRows = Eigen::Matrix<double, 3, err::kSize>;
+  const Eigen::Matrix3d imu_from_map = out.state.map_from_imu.transpose();
+  ForceRows h = ForceRows::Zero();
+  h.block<3, 3>(0, err::kAccelBias).setIdentity();
+  h.block<3, 2>(0, err::kGravity) =
+      -imu_from_map * s2_plus_jacobian(out.state.gravity_in_map, Eigen::Vector2d::Zero());
+  const Eigen::Vector3d innovation = mean.specific_force_mps2 - out.state.accel_bias +
+                                     imu_from_map * out.state.gravity_in_map;
+  const Eigen::Matrix3d spread =
+      h * out.covariance * h.transpose() + force_sigma * force_sigma * Eigen::Matrix3d::Identity();
+  const Eigen::Matrix<double, err::kSize, 3> gain =
+      out.covariance * h.transpose() * spread.inverse();
+  out.state = plus(out.state, gain * innovation);
+  const ErrorMatrix reduced = out.covariance - gain * h * out.covariance;
+  out.covariance = 0.5 * (reduced + reduced.transpose());
   return out;
 }
 

@@ -84,6 +84,23 @@ bool is_plausible(const LidarFilterOptions& options,
          posterior.state.velocity_in_map.norm() <= kMaxSpeed_mps;
 }
 
+/// What the matches say, without false information along directions that few of them face.
+MatchInformation linearize_soundly(const ScanMatcher& matcher, const NavState& state) {
+  // Normals of planes through five noisy points are off by a few degrees: a mean squared cosine
+  // below this may be nothing else.
+  constexpr double kWeakRatio = 0.03;
+  const MatchInformation matches = matcher.linearize(state);
+  const double tiny = 1e-6 * matches.information.block<3, 3>(3, 3).trace() / 2.0;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(
+      marginal(matches.information, 0, 3, tiny));
+  WeakDirections weak;
+  for (int i = 0; i < 3; ++i) {
+    if (solver.eigenvalues()[i] >= kWeakRatio * matches.sum_weights) continue;
+    weak.directions[weak.count++] = solver.eigenvectors().col(i);
+  }
+  return weak.count == 0 ? matches : matcher.linearize(state, weak);
+}
+
 }  // namespace
 
 ObservedInformation hold_unobserved(const MatchInformation& matches, double min_ratio) {
@@ -125,7 +142,7 @@ UpdateReport iterated_update(
       matcher.match(posterior.state);
       moved_m = 0.0;
     }
-    const MatchInformation matches = matcher.linearize(posterior.state);
+    const MatchInformation matches = linearize_soundly(matcher, posterior.state);
     report.num_matched = matches.num_matched;
     report.mean_residual_m = matches.sum_abs_residual_m / std::max(1, matches.num_matched);
     if (matches.num_matched < options.min_matches) {

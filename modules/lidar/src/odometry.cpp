@@ -180,10 +180,12 @@ bool LidarOdometry::Impl::try_start(bool last) {
     mean = imu_mean(imu, imu.first_time(), still_end);
   }
   if (is_standstill(mean, options.init, rig.imu_noise)) {
-    ScanFilter candidate(options, rig, standstill_state(mean, rig), begin);
-    if (stands_still(candidate)) {
+    // The trial's velocity is free enough for a steady drive to show itself.
+    constexpr double kTrialSpeed_mps = 0.5;
+    constexpr double kStillSpeed_mps = 0.02;
+    if (stands_still({options, rig, standstill_state(mean, rig, kTrialSpeed_mps), begin})) {
       summary.started_at_standstill = true;
-      filter.emplace(std::move(candidate));
+      filter.emplace(options, rig, standstill_state(mean, rig, kStillSpeed_mps), begin);
       return true;
     }
   }

@@ -10,7 +10,12 @@ namespace {
 
 constexpr int kNeighbors = 5;
 // Neighbours whose second spread is below this share of the first lie along a line.
-constexpr double kMinAspect = 0.01;
+constexpr double kMinAspect = 0.12;
+constexpr double kMaxThickness = 0.05;
+// One scanning plane over rough ground (window reveals, leaves) leaves points that lie in a plane,
+// but it is the scanner's, not the world's: it holds the sensor to where it was. Such a plane
+// contains the ray; real surfaces seen that flat say little anyway.
+constexpr double kMinIncidenceSine = 0.08;
 // Scale of the Cauchy weight in standard deviations.
 constexpr double kRobustSigmas = 3.0;
 
@@ -28,7 +33,10 @@ std::optional<Plane> fit_plane(const MapNeighbors& neighbors, double max_offset_
   covariance /= neighbors.count;
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
   solver.computeDirect(covariance);
-  if (!(solver.eigenvalues()[1] > kMinAspect * solver.eigenvalues()[2])) return std::nullopt;
+  const Eigen::Vector3d& spread = solver.eigenvalues();
+  if (!(spread[1] > kMinAspect * spread[2]) || spread[0] > kMaxThickness * spread[1]) {
+    return std::nullopt;
+  }
   plane.normal = solver.eigenvectors().col(0);
   plane.sigma_m = std::sqrt(std::max(0.0, solver.eigenvalues()[0]));
   for (int i = 0; i < neighbors.count; ++i) {
@@ -53,6 +61,16 @@ double point_to_plane(const NavState& state,
     row->segment<3>(9) = point_in_lidar.cross(state.imu_from_lidar.transpose() * normal_in_imu);
   }
   return plane.normal.dot(point - plane.center);
+}
+
+Eigen::Vector3d trusted_normal(const Eigen::Vector3d& normal, const WeakDirections& weak) {
+  constexpr double kStrongCosine = 0.5;
+  Eigen::Vector3d trusted = normal;
+  for (int i = 0; i < weak.count; ++i) {
+    const double cosine = normal.dot(weak.directions[i]);
+    if (std::abs(cosine) < kStrongCosine) trusted -= cosine * weak.directions[i];
+  }
+  return trusted;
 }
 
 ScanMatcher::ScanMatcher(const LocalMap& map, const LidarFilterOptions& options)
@@ -80,6 +98,9 @@ void ScanMatcher::match(const NavState& state) {
       if (neighbors.count < kNeighbors) continue;
       const auto plane = fit_plane(neighbors, options_.max_plane_offset_m);
       if (!plane) continue;
+      const Eigen::Vector3d ray =
+          state.map_from_imu * (points_[i].cast<double>() - state.lidar_in_imu);
+      if (std::abs(plane->normal.dot(ray)) < kMinIncidenceSine * ray.norm()) continue;
       planes_[i] = *plane;
       reach2 = std::max(reach2, points_[i].squaredNorm());
     }
@@ -87,7 +108,7 @@ void ScanMatcher::match(const NavState& state) {
   reach_m_ = std::sqrt(static_cast<double>(reach2));
 }
 
-MatchInformation ScanMatcher::linearize(const NavState& state) const {
+MatchInformation ScanMatcher::linearize(const NavState& state, const WeakDirections& weak) const {
   MatchInformation sum;
   const double sigma2 = options_.point_sigma_m * options_.point_sigma_m;
   const bool with_extrinsic = options_.estimate_extrinsic;
@@ -97,6 +118,11 @@ MatchInformation ScanMatcher::linearize(const NavState& state) const {
     const Eigen::Vector3d point = points_[i].cast<double>();
     MatchVector row;
     const double residual = point_to_plane(state, point, plane, &row);
+    if (weak.count > 0) {
+      Plane trusted = plane;
+      trusted.normal = trusted_normal(plane.normal, weak);
+      (void)point_to_plane(state, point, trusted, &row);
+    }
     // The gate of FAST-LIO2: 1 - 0.9 |r| / sqrt(range) > 0.9.
     if (std::abs(residual) > std::sqrt(point.norm()) / 9.0) continue;
     const double variance = sigma2 + plane.sigma_m * plane.sigma_m / kNeighbors;

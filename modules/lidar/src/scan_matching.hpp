@@ -6,6 +6,7 @@
 #include <hybridfusion/core/sensor_data.hpp>
 #include <hybridfusion/lidar/odometry_options.hpp>
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -44,6 +45,18 @@ struct MatchInformation {
                                     const Plane& plane,
                                     MatchVector* row);
 
+/// Directions in the map of which a scan says little: there noise of the plane normals looks like
+/// information.
+struct WeakDirections {
+  std::array<Eigen::Vector3d, 3> directions = {};  ///< Unit.
+  int count = 0;
+};
+
+/// Normal without its components along the weak directions that it is not clearly turned to (60
+/// degrees or nearer): the strong contributions of Tuna et al. 2023 (X-ICP), III-B.
+[[nodiscard]] Eigen::Vector3d trusted_normal(const Eigen::Vector3d& normal,
+                                             const WeakDirections& weak);
+
 /// Points of one scan with the planes they were matched to.
 class ScanMatcher {
  public:
@@ -55,7 +68,8 @@ class ScanMatcher {
   void match(const NavState& state);
   /// Replaces the points, planes stay (after another deskew of the same points).
   void update_points(const std::vector<Eigen::Vector3f>& points_in_imu);
-  [[nodiscard]] MatchInformation linearize(const NavState& state) const;
+  [[nodiscard]] MatchInformation linearize(const NavState& state,
+                                           const WeakDirections& weak = {}) const;
   [[nodiscard]] std::size_t size() const { return points_.size(); }
   /// Largest range of a matched point [m].
   [[nodiscard]] double reach_m() const { return reach_m_; }

@@ -57,14 +57,55 @@ std::vector<Eigen::Vector2d> smoothed_loop(const std::vector<Eigen::Vector2d>& p
   return out;
 }
 
+// Cars park on the +x and +y sides of the streets; the free lane is left of the middle.
+double free_lane_m(const StreetPlan& plan) {
+  return -0.12 * plan.street_width_m;
+}
+
+constexpr double kCornerSigma_m = 2.6;
+
+/// Once around a closed way from `start_share` of it, and `extra_m` on.
+DrivePlan around(const std::vector<Eigen::Vector2d>& loop, double start_share, double extra_m) {
+  const auto start = static_cast<std::size_t>(start_share * static_cast<double>(loop.size()));
+  const auto extra = static_cast<std::size_t>(extra_m / kPathStep_m);
+  DrivePlan drive;
+  for (std::size_t i = 0; i < loop.size() + extra; ++i) {
+    drive.path.push_back(loop[(start + i) % loop.size()]);
+  }
+  return drive;
+}
+
 }  // namespace
+
+DrivePlan plan_figure_eight(const StreetPlan& plan, double start_share) {
+  const double lane = free_lane_m(plan);
+  const auto corner = [&](std::size_t x, std::size_t y) {
+    return Eigen::Vector2d(plan.street_x[x] + lane, plan.street_y[y] + lane);
+  };
+  const std::vector<Eigen::Vector2d> corners = {corner(1, 0),
+                                                corner(1, 1),
+                                                corner(0, 1),
+                                                corner(0, 0),
+                                                corner(1, 0),
+                                                corner(1, 1),
+                                                corner(2, 1),
+                                                corner(2, 0)};
+  return around(smoothed_loop(resampled(corners), kCornerSigma_m), start_share, 0.0);
+}
+
+DrivePlan plan_straight(double length_m, double lane_y_m) {
+  DrivePlan drive;
+  for (double x = -0.5 * length_m; x <= 0.5 * length_m; x += kPathStep_m) {
+    drive.path.emplace_back(x, lane_y_m);
+  }
+  return drive;
+}
 
 DrivePlan plan_drive(const StreetPlan& plan,
                      const std::array<std::size_t, 4>& blocks,
                      double extra_m,
                      double start_share) {
-  // Cars park on the +x and +y sides of the streets; the free lane is left of the middle.
-  const double lane = -0.12 * plan.street_width_m;
+  const double lane = free_lane_m(plan);
   Eigen::Vector2d low(plan.street_x[blocks[0]] + lane, plan.street_y[blocks[2]] + lane);
   Eigen::Vector2d high(plan.street_x[blocks[1]] + lane, plan.street_y[blocks[3]] + lane);
   if (!plan.streets) {
@@ -72,13 +113,8 @@ DrivePlan plan_drive(const StreetPlan& plan,
     high = 0.6 * plan.core_half_m;
   }
   const std::vector<Eigen::Vector2d> loop =
-      smoothed_loop(resampled({low, {high.x(), low.y()}, high, {low.x(), high.y()}}), 2.6);
-  const auto count = loop.size();
-  const auto start = static_cast<std::size_t>(start_share * static_cast<double>(count));
-  const auto extra = static_cast<std::size_t>(extra_m / kPathStep_m);
-  DrivePlan drive;
-  for (std::size_t i = 0; i < count + extra; ++i) drive.path.push_back(loop[(start + i) % count]);
-  return drive;
+      smoothed_loop(resampled({low, {high.x(), low.y()}, high, {low.x(), high.y()}}), kCornerSigma_m);
+  return around(loop, start_share, extra_m);
 }
 
 }  // namespace hybridfusion

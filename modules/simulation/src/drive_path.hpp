@@ -22,6 +22,13 @@ struct DrivePlan {
                                    double extra_m,
                                    double start_share);
 
+/// Left around the first block, right around the second, twice through the street between them;
+/// begins at `start_share` (0..1) of the way. @pre at least three streets along y
+[[nodiscard]] DrivePlan plan_figure_eight(const StreetPlan& plan, double start_share);
+
+/// Straight along x through the origin.
+[[nodiscard]] DrivePlan plan_straight(double length_m, double lane_y_m);
+
 /// Convolution with a Gaussian of `sigma` samples; `wrap` for closed curves, else the ends are
 /// held.
 [[nodiscard]] std::vector<double> smoothed(const std::vector<double>& values,

@@ -2,6 +2,7 @@
 
 #include "flight.hpp"
 #include "recorder.hpp"
+#include "tunnel.hpp"
 
 #include <hybridfusion/core/random.hpp>
 
@@ -29,6 +30,29 @@ std::array<std::size_t, 4> blocks_of_drive(const StreetPlan& plan, int index, in
   std::size_t first = std::min(columns - 1, i * columns / share);
   const std::size_t last = std::max(first + 1, std::min(columns, (i + 1) * columns / share));
   return {first, last, 0, rows};
+}
+
+Expected<DrivePlan> plan_route(const StreetPlan& streets,
+                               const SimulationOptions& options,
+                               int index,
+                               double start_share) {
+  if (options.world.variant == "tunnel") {
+    return plan_straight(kTunnelDriveShare * options.world.size_m, kTunnelLane_m);
+  }
+  if (options.drive.route == "figure-eight") {
+    if (streets.street_x.size() < 3) {
+      return fail(ErrorCode::kInvalidOptions,
+                  fmt::format("drive.route = figure-eight goes around two blocks, but "
+                              "world.blocks_x = {} with variant '{}'",
+                              options.world.blocks_x,
+                              options.world.variant));
+    }
+    return plan_figure_eight(streets, start_share);
+  }
+  return plan_drive(streets,
+                    blocks_of_drive(streets, index, options.drive.drives),
+                    options.drive.loop_overlap_m,
+                    start_share);
 }
 
 double path_length(const VehicleMotion& motion) {
@@ -90,10 +114,7 @@ Expected<DriveRecord> record_drive(const World& world,
   const auto number = static_cast<std::uint64_t>(index);
   const StreetPlan& streets = world.terrain.plan();
   Random random(ctx.seed, "vehicle/start", number);
-  const DrivePlan plan = plan_drive(streets,
-                                    blocks_of_drive(streets, index, options.drive.drives),
-                                    options.drive.loop_overlap_m,
-                                    random.uniform(0.05, 0.9));
+  HF_TRY(const DrivePlan plan, plan_route(streets, options, index, random.uniform(0.05, 0.9)));
   HF_TRY(VehicleMotion motion, drive(plan, world.terrain, options.drive, ctx.seed, number));
   DriveRecord record{.motion = std::move(motion),
                      .start_s = kTakeOffTime_s + kDriveDelay_s * (index + 1),

@@ -1,6 +1,7 @@
 #include "building_styles.hpp"
 #include "street_lining.hpp"
 #include "street_objects.hpp"
+#include "tunnel.hpp"
 #include "world.hpp"
 
 #include <hybridfusion/core/random.hpp>
@@ -25,6 +26,9 @@ class TownBuilder {
 
   void build() {
     build_ground(world_.terrain, contrast_, seed_, builder_);
+    if (options_.variant == "tunnel") {
+      build_tunnel(world_.terrain, options_.size_m, contrast_, seed_, builder_);
+    }
     if (!world_.terrain.plan().streets) return;
     const StreetPlan& plan = world_.terrain.plan();
     for (std::size_t j = 0; j + 1 < plan.street_y.size(); ++j) {
@@ -193,7 +197,7 @@ StreetPlan plan_streets(const WorldOptions& options, std::uint64_t seed) {
   Random random(seed, "world/plan");
   StreetPlan plan;
   plan.yaw_rad = random.uniform(-0.35, 0.35);
-  plan.streets = options.variant != "flat";
+  plan.streets = options.variant != "flat" && options.variant != "tunnel";
   plan.street_width_m = std::clamp(0.1125 * options.size_m, 7.5, 10.0);
   const double strip = std::clamp(0.118 * options.size_m, 7.6, 13.0);
   const Eigen::Vector2d pitch(options.size_m - 2.0 * strip - plan.street_width_m,

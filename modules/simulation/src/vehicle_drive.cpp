@@ -1,3 +1,4 @@
+#include "body_sway.hpp"
 #include "vehicle_motion.hpp"
 
 #include <hybridfusion/core/random.hpp>
@@ -11,7 +12,6 @@
 namespace hybridfusion {
 namespace {
 
-constexpr double kTimeStep_s = 0.05;
 constexpr double kBodyHeight_m = 0.95;
 constexpr double kLateralLimit_mps2 = 1.8;
 constexpr double kForwardLimit_mps2 = 1.3;
@@ -189,21 +189,6 @@ class BodyPose {
   Roughness roll_;
 };
 
-/// Leans the body outwards in curves, softly.
-void add_body_roll(const std::vector<double>& distance,
-                   double roll_per_g_rad,
-                   VehicleMotion::Channels& channels) {
-  std::vector<double> lateral(distance.size(), 0.0);
-  for (std::size_t i = 1; i < distance.size(); ++i) {
-    const double speed = (distance[i] - distance[i - 1]) / kTimeStep_s;
-    lateral[i] = speed * (channels[3][i] - channels[3][i - 1]) / kTimeStep_s;
-  }
-  lateral = smoothed(lateral, 0.25 / kTimeStep_s, false);
-  for (std::size_t i = 0; i < lateral.size(); ++i) {
-    channels[5][i] += roll_per_g_rad / 9.81 * lateral[i];
-  }
-}
-
 }  // namespace
 
 Expected<VehicleMotion> drive(const DrivePlan& plan,
@@ -236,6 +221,7 @@ Expected<VehicleMotion> drive(const DrivePlan& plan,
   VehicleMotion::Channels channels;
   for (const double s : distance) pose.append(s, channels);
   add_body_roll(distance, options.roll_per_lateral_g_deg * std::numbers::pi / 180.0, channels);
+  add_swing(distance, options.swing_deg * std::numbers::pi / 180.0, seed, index, channels);
   return VehicleMotion(std::move(channels), kTimeStep_s);
 }
 

@@ -14,6 +14,8 @@ struct DriveOptions {
   double standstill_s = 3.0;
   double max_speed_mps = 12.0;
   double loop_overlap_m = 12.0;
+  std::string route = "loop";
+  double swing_deg = 0.0;
   double bump_sd_m = 0.008;
   double roll_per_lateral_g_deg = 3.0;
   double camera_hz = 0.0;
@@ -59,6 +61,20 @@ struct OptionFields<DriveOptions> {
              .min = 0,
              .max = 1000,
              .doc = "How far the vehicle drives on after closing the loop.",
+             .source = "ours"}},
+      Field{&T::route,
+            {.key = "route",
+             .choices = "loop|figure-eight",
+             .doc = "loop: around its blocks; figure-eight: left around the first block, right "
+                    "around the second (at least two blocks along x).",
+             .source = "ours"}},
+      Field{&T::swing_deg,
+            {.key = "swing_deg",
+             .unit = "deg",
+             .min = 0,
+             .max = 40,
+             .doc = "Roll and pitch swing by up to this angle while driving, as a sensor carried "
+                    "by hand or over rough ground does.",
              .source = "ours"}},
       Field{&T::bump_sd_m,
             {.key = "bump_sd_m",

@@ -25,10 +25,10 @@ struct OptionFields<WorldOptions> {
   static constexpr auto fields = std::tuple{
       Field{&T::variant,
             {.key = "variant",
-             .choices = "town|dull|repetitive|flat|other-site",
+             .choices = "town|dull|repetitive|flat|other-site|tunnel",
              .doc = "town; dull: weak texture; repetitive: identical facades; flat: a field with "
                     "nothing to register on; other-site: the street drive happens in another "
-                    "world than the flight.",
+                    "world than the flight; tunnel: a straight road tunnel of length size_m.",
              .source = "ours"}},
       Field{&T::size_m,
             {.key = "size_m",
