@@ -14,13 +14,8 @@ namespace {
 constexpr double kVoxel_m = 1.0;
 constexpr double kPointSigma_m = 0.03;
 constexpr float kMaxClusterWeight = 20.0F;
-constexpr float kMinPlanePoints = 6.0F;
-constexpr float kMaxPlaneSigma_m = 0.06F;
-constexpr float kMinFlatness = 9.0F;
-// Directions with a smaller mean squared cosine to the normals are held by errors of the normals.
-constexpr double kMinCosine2 = 0.01;
 // What the IMU holds without planes over a segment, and with parts of it not measured at all.
-constexpr double kInertialSigma_m = 0.05;
+constexpr double kInertialSigma_m = 0.1;
 constexpr double kInertialSigma_rad = 2e-3;
 constexpr double kBridgedSigma_m = 0.5;
 constexpr double kBridgedSigma_rad = 0.02;
@@ -34,19 +29,6 @@ constexpr double kLoopSigma_rad = 2e-3;
 constexpr double kGnssCorrelation_s = 120.0;
 constexpr double kDefaultGnssSigma_m = 2.0;
 
-/// The plane of a cluster in its segment's frame, or nothing.
-std::optional<Eigen::Vector3d> normal_of(const PlaneCluster& cluster) {
-  if (cluster.count < kMinPlanePoints) return std::nullopt;
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver;
-  solver.computeDirect(cluster.covariance);
-  const Eigen::Vector3f& spread = solver.eigenvalues();
-  if (!(spread[0] <= kMaxPlaneSigma_m * kMaxPlaneSigma_m) ||
-      !(spread[1] >= kMinFlatness * spread[0])) {
-    return std::nullopt;
-  }
-  return solver.eigenvectors().col(0).cast<double>();
-}
-
 PoseMatrix link_information(const PoseMatrix& planes, double length_m, bool bridged) {
   const PoseMatrix inertial = bridged ? information_of(kBridgedSigma_m, kBridgedSigma_rad)
                                       : information_of(kInertialSigma_m, kInertialSigma_rad);
@@ -55,14 +37,6 @@ PoseMatrix link_information(const PoseMatrix& planes, double length_m, bool brid
   covariance.diagonal().head<3>().array() += floor_m * floor_m;
   covariance.diagonal().tail<3>().array() += kFloor_rad * kFloor_rad;
   return covariance.inverse();
-}
-
-bool is_bridged(std::span<const StoredScan> scans, std::size_t first, std::size_t last) {
-  constexpr std::uint32_t kImuGap = static_cast<std::uint32_t>(ScanFlag::kImuGap);
-  constexpr std::uint32_t kGap = static_cast<std::uint32_t>(ScanFlag::kLidarGap);
-  return std::ranges::any_of(scans.subspan(first + 1, last - first), [](const StoredScan& scan) {
-    return (scan.flags & (kImuGap | kGap)) != 0 || scan.since_last.bridged;
-  });
 }
 
 std::uint32_t segment_of(const std::vector<Segment>& segments, std::size_t scan) {
@@ -75,8 +49,8 @@ std::uint32_t segment_of(const std::vector<Segment>& segments, std::size_t scan)
 PoseMatrix plane_information(std::span<const PlaneCluster> first,
                              std::span<const PlaneCluster> second,
                              const Rigid3& first_from_second) {
+  const Eigen::Matrix3d held = held_directions(first, {});
   PoseMatrix sum = PoseMatrix::Zero();
-  double sum_weights = 0.0;
   for (auto a = first.begin(), b = second.begin(); a != first.end() && b != second.end();) {
     if (a->cell != b->cell) {
       a->cell < b->cell ? ++a : ++b;
@@ -85,25 +59,14 @@ PoseMatrix plane_information(std::span<const PlaneCluster> first,
     if (const auto normal = normal_of(*a)) {
       // r = n.(R q + t - c): d r / d t = n, d r / d theta = q x R^T n.
       PoseVector row;
-      row << *normal,
+      row << held * *normal,
           b->mean.cast<double>().cross(first_from_second.rotation.conjugate() * *normal);
       const double weight =
           std::min({a->count, b->count, kMaxClusterWeight}) / (kPointSigma_m * kPointSigma_m);
       sum += weight * row * row.transpose();
-      sum_weights += weight;
     }
     ++a;
     ++b;
-  }
-  if (sum_weights == 0.0) return sum;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(
-      Eigen::Matrix3d(sum.topLeftCorner<3, 3>()));
-  for (int i = 0; i < 3; ++i) {
-    if (solver.eigenvalues()[i] >= kMinCosine2 * sum_weights) continue;
-    PoseMatrix keep = PoseMatrix::Identity();
-    keep.topLeftCorner<3, 3>() -=
-        solver.eigenvectors().col(i) * solver.eigenvectors().col(i).transpose();
-    sum = keep * sum * keep;
   }
   return sum;
 }
@@ -116,6 +79,7 @@ Expected<PoseGraph> build_loop_graph(const ScanStore& store,
   const std::vector<Rigid3> poses = anchor_poses(segments, scans);
   PoseGraph graph;
   std::vector<PlaneCluster> last;
+  std::vector<Eigen::Matrix3d> held;
   for (std::uint32_t i = 0; i < segments.size(); ++i) {
     if (ctx.stopped()) return fail(ErrorCode::kCancelled, "stopped by the caller");
     graph.up_in_body.push_back(poses[i].rotation.conjugate() * Eigen::Vector3d::UnitZ());
@@ -130,8 +94,10 @@ Expected<PoseGraph> build_loop_graph(const ScanStore& store,
                            is_bridged(scans, segments[i - 1].anchor, segments[i].anchor));
       graph.odometry.push_back(link);
     }
+    held.push_back(held_directions(clusters, poses[i]));
     last = std::move(clusters);
   }
+  graph.velocity_changes = velocity_changes(segments, scans, held);
   for (const Loop& loop : loops) {
     const std::uint32_t first = segment_of(segments, loop.scans.first);
     const std::uint32_t second = segment_of(segments, loop.scans.second);

@@ -61,6 +61,7 @@ std::optional<FittedPlane> fit(std::span<const PlaneCluster> members,
 /// Adds the sum over one plane's points, with the plane's own three parameters eliminated.
 void add_plane(std::span<const PlaneCluster> members,
                std::span<const Rigid3> map_from_segment,
+               std::span<const Eigen::Matrix3d> held,
                std::span<const double> weights,
                const FittedPlane& plane,
                PoseEquations& equations,
@@ -84,7 +85,7 @@ void add_plane(std::span<const PlaneCluster> members,
     // r = n.(R q + t - c); its rows are linear in [q; 1]:
     // d r/d t = n, d r/d theta = q x R^T n, d r/d plane = [(p - c).u, (p - c).v, -1].
     Eigen::Matrix<double, 6, 4> pose_rows = Eigen::Matrix<double, 6, 4>::Zero();
-    pose_rows.block<3, 1>(0, 3) = normal;
+    pose_rows.block<3, 1>(0, 3) = held.empty() ? normal : held[member.segment] * normal;
     pose_rows.block<3, 3>(3, 0) = -skew(normal_in_segment);
     Eigen::Matrix<double, 3, 4> plane_rows = Eigen::Matrix<double, 3, 4>::Zero();
     for (int axis = 0; axis < 2; ++axis) {
@@ -114,9 +115,12 @@ void add_plane(std::span<const PlaneCluster> members,
 
 }  // namespace
 
-PlaneAdjustment::PlaneAdjustment(double max_plane_sigma_m, std::vector<Rigid3> map_from_segment)
+PlaneAdjustment::PlaneAdjustment(double max_plane_sigma_m,
+                                 std::vector<Rigid3> map_from_segment,
+                                 std::vector<Eigen::Matrix3d> held)
     : max_plane_sigma_m_(max_plane_sigma_m),
       map_from_segment_(std::move(map_from_segment)),
+      held_(std::move(held)),
       equations_(map_from_segment_.size()) {}
 
 void PlaneAdjustment::add(std::span<const PlaneCluster> clusters) {
@@ -153,15 +157,19 @@ void PlaneAdjustment::add_cell(std::span<const PlaneCluster> members) {
   plane = fit(members, map_from_segment_, weights, max_plane_sigma_m_);
   if (!plane) return;
   std::vector<Matrix63> couplings;
-  add_plane(members, map_from_segment_, weights, *plane, equations_, couplings);
+  add_plane(members, map_from_segment_, held_, weights, *plane, equations_, couplings);
   sum_squares_ += sum_squares;
   sum_weights_ += sum_weights;
   ++report_.num_planes;
 }
 
-Expected<PlaneAdjustmentReport> PlaneAdjustment::solve(std::span<const RelativePose> links) {
+Expected<PlaneAdjustmentReport> PlaneAdjustment::solve(
+    std::span<const RelativePose> links, std::span<const VelocityChange> velocity_changes) {
   if (map_from_segment_.size() < 2) return report_;
   for (const RelativePose& link : links) add_edge(link, 1.0, map_from_segment_, equations_);
+  for (const VelocityChange& change : velocity_changes) {
+    add_velocity_change(change, map_from_segment_, equations_);
+  }
   HF_TRY(const Eigen::VectorXd step, equations_.solve());
   report_.max_shift_m = apply_step(step, map_from_segment_);
   report_.rms_before_m = sum_weights_ > 0.0 ? std::sqrt(sum_squares_ / sum_weights_) : 0.0;

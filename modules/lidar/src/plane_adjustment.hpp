@@ -30,13 +30,18 @@ struct PlaneAdjustmentReport {
 /// segment stays. Clusters come in batches, so that they need not be in memory together.
 class PlaneAdjustment {
  public:
-  PlaneAdjustment(double max_plane_sigma_m, std::vector<Rigid3> map_from_segment);
+  /// @param held  Per segment the projector (map axes) onto the directions that its planes hold;
+  /// along others the links alone decide. Empty: all directions of all segments.
+  PlaneAdjustment(double max_plane_sigma_m,
+                  std::vector<Rigid3> map_from_segment,
+                  std::vector<Eigen::Matrix3d> held = {});
 
   /// @param clusters  All of their cells, sorted by cell, then segment.
   void add(std::span<const PlaneCluster> clusters);
   /// Moves the segments. @param links  What odometry measured between segments; they join them all.
   /// @returns kDegenerate when the system cannot be solved.
-  [[nodiscard]] Expected<PlaneAdjustmentReport> solve(std::span<const RelativePose> links);
+  [[nodiscard]] Expected<PlaneAdjustmentReport> solve(
+      std::span<const RelativePose> links, std::span<const VelocityChange> velocity_changes = {});
   [[nodiscard]] const std::vector<Rigid3>& map_from_segment() const { return map_from_segment_; }
 
  private:
@@ -44,6 +49,7 @@ class PlaneAdjustment {
 
   double max_plane_sigma_m_;
   std::vector<Rigid3> map_from_segment_;
+  std::vector<Eigen::Matrix3d> held_;
   PoseEquations equations_;
   PlaneAdjustmentReport report_ = {};
   double sum_squares_ = 0.0;

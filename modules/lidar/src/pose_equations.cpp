@@ -3,6 +3,7 @@
 #include "manifold.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include <Eigen/SparseCholesky>
 
@@ -103,6 +104,36 @@ void add_edge(const RelativePose& edge,
   equations.block(edge.first, edge.second) += first * j.by_second;
   equations.right(edge.first) -= first * residual;
   equations.right(edge.second) -= second * residual;
+}
+
+Eigen::Vector3d residual_of(const VelocityChange& change, std::span<const Rigid3> map_from_body) {
+  const Eigen::Vector3d& before = map_from_body[change.middle - 1].translation;
+  const Rigid3& middle = map_from_body[change.middle];
+  const Eigen::Vector3d& behind = map_from_body[change.middle + 1].translation;
+  return middle.rotation.conjugate() * ((behind - middle.translation) / change.behind_s -
+                                        (middle.translation - before) / change.before_s) -
+         change.in_middle_mps;
+}
+
+void add_velocity_change(const VelocityChange& change,
+                         std::span<const Rigid3> map_from_body,
+                         PoseEquations& equations) {
+  const std::uint32_t k = change.middle;
+  const Eigen::Vector3d residual = residual_of(change, map_from_body);
+  const Eigen::Matrix3d rt = map_from_body[k].rotation.toRotationMatrix().transpose();
+  using Rows = Eigen::Matrix<double, 3, 6>;
+  std::array<Rows, 3> j{Rows::Zero(), Rows::Zero(), Rows::Zero()};
+  j[0].leftCols<3>() = rt / change.before_s;
+  j[1].leftCols<3>() = -rt * (1.0 / change.before_s + 1.0 / change.behind_s);
+  j[1].rightCols<3>() = skew(residual + change.in_middle_mps);  // d(Exp(-theta) v) = [v]x theta
+  j[2].leftCols<3>() = rt / change.behind_s;
+  for (std::uint32_t a = 0; a < 3; ++a) {
+    const Eigen::Matrix<double, 6, 3> weighted = j[a].transpose() * change.information;
+    equations.right(k - 1 + a) -= weighted * residual;
+    for (std::uint32_t b = a; b < 3; ++b) {
+      equations.block(k - 1 + a, k - 1 + b) += weighted * j[b];
+    }
+  }
 }
 
 double apply_step(const Eigen::VectorXd& step, std::vector<Rigid3>& map_from_body) {

@@ -62,6 +62,24 @@ void add_edge(const RelativePose& edge,
               std::span<const Rigid3> map_from_body,
               PoseEquations& equations);
 
+/// Mean velocities before and behind a pose differ by what the IMU felt: holds motion along
+/// directions that the LiDAR does not see far better than the motion itself is known.
+struct VelocityChange {
+  std::uint32_t middle = 0;  ///< Between poses middle - 1 and middle + 1.
+  double before_s = 1.0;     ///< Since pose middle - 1.
+  double behind_s = 1.0;     ///< Until pose middle + 1.
+  Eigen::Vector3d in_middle_mps = Eigen::Vector3d::Zero();  ///< In the middle body's frame.
+  /// In the middle body's frame [s^2/m^2].
+  Eigen::Matrix3d information = Eigen::Matrix3d::Identity();
+};
+
+/// The change of velocity that the poses show, minus the measured one.
+[[nodiscard]] Eigen::Vector3d residual_of(const VelocityChange& change,
+                                          std::span<const Rigid3> map_from_body);
+void add_velocity_change(const VelocityChange& change,
+                         std::span<const Rigid3> map_from_body,
+                         PoseEquations& equations);
+
 /// Applies a step of PoseEquations::solve. @returns the largest shift [m].
 double apply_step(const Eigen::VectorXd& step, std::vector<Rigid3>& map_from_body);
 

@@ -59,6 +59,9 @@ Expected<PoseGraphReport> optimize_pose_graph(const PoseGraph& graph,
   for (int i = 0; i < kMaxIterations && map_from_body.size() > 1; ++i) {
     PoseEquations equations(map_from_body.size());
     for (const RelativePose& edge : graph.odometry) add_edge(edge, 1.0, map_from_body, equations);
+    for (const VelocityChange& change : graph.velocity_changes) {
+      add_velocity_change(change, map_from_body, equations);
+    }
     for (const RelativePose& loop : graph.loops) {
       const double weight = 1.0 / (1.0 + squared_sigmas(loop, map_from_body) / scale2);
       add_edge(loop, weight, map_from_body, equations);

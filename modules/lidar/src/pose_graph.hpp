@@ -17,6 +17,7 @@ struct PositionPrior {
 /// Poses joined by odometry and loops.
 struct PoseGraph {
   std::vector<RelativePose> odometry = {};
+  std::vector<VelocityChange> velocity_changes = {};
   std::vector<RelativePose> loops = {};
   std::vector<PositionPrior> positions = {};
   /// Up in each body, as gravity shows it; the map is level. Empty: no such knowledge.

@@ -14,6 +14,7 @@ constexpr double kConverged_m = 5e-4;
 
 constexpr double kLinkSigma_m = 0.03;
 constexpr double kLinkSigma_rad = 3e-3;
+constexpr double kBlindLinkSigma_m = 0.3;
 constexpr std::size_t kSegmentsAtOnce = 32;
 constexpr std::size_t kNumBuckets = 64;
 constexpr std::size_t kBlockClusters = 1024;
@@ -25,6 +26,7 @@ struct ClusterBuckets {
     std::vector<SpillFile::Block> blocks = {};
   };
   SpillFile spill;
+  std::vector<Eigen::Matrix3d> held = {};  // per segment, see held_directions
   std::vector<Bucket> buckets = std::vector<Bucket>(kNumBuckets);
 
   Expected<void> add(const std::vector<PlaneCluster>& clusters) {
@@ -77,25 +79,54 @@ Expected<ClusterBuckets> cluster_all(const ScanStore& store,
     });
     for (std::size_t i = 0; i < count; ++i) {
       if (!parts[i]) return std::unexpected(parts[i].error());
+      const Segment& segment = segments[first + i];
+      out.held.push_back(held_directions(*parts[i], store.scans()[segment.anchor].map_from_imu));
       if (auto added = out.add(*parts[i]); !added) return std::unexpected(added.error());
     }
   }
   return out;
 }
 
+std::vector<RelativePose> odometry_links(const std::vector<Rigid3>& poses) {
+  std::vector<RelativePose> links;
+  for (std::uint32_t i = 0; i + 1 < poses.size(); ++i) {
+    links.push_back(
+        {.first = i, .second = i + 1, .first_from_second = poses[i].inverse() * poses[i + 1]});
+  }
+  return links;
+}
+
+/// Along directions that no plane holds the odometry guesses: there the IMU decides.
+void weigh_links(const std::vector<Eigen::Matrix3d>& held,
+                 const std::vector<Rigid3>& poses,
+                 std::vector<RelativePose>& links) {
+  for (RelativePose& link : links) {
+    const Eigen::Matrix3d axes = poses[link.first].rotation.toRotationMatrix().transpose();
+    const Eigen::Matrix3d seen = axes * held[link.first] * held[link.second] * axes.transpose();
+    const Eigen::Matrix3d both = 0.5 * (seen + seen.transpose());
+    link.information = information_of(kLinkSigma_m, kLinkSigma_rad);
+    link.information.topLeftCorner<3, 3>() =
+        both / (kLinkSigma_m * kLinkSigma_m) +
+        (Eigen::Matrix3d::Identity() - both) / (kBlindLinkSigma_m * kBlindLinkSigma_m);
+  }
+}
+
 /// One pass of the adjustment. @returns kDegenerate, kCancelled, kIo.
 Expected<PlaneAdjustmentReport> adjust_once(const LidarRefineOptions& options,
                                             const RunContext& ctx,
                                             const std::vector<Segment>& segments,
-                                            std::span<const RelativePose> links,
+                                            std::vector<RelativePose>& links,
                                             ScanStore& store) {
   HF_TRY(ClusterBuckets clusters, cluster_all(store, segments, options.voxel_m, ctx));
-  PlaneAdjustment adjustment(options.max_plane_sigma_m, anchor_poses(segments, store.scans()));
+  const std::vector<Rigid3> poses = anchor_poses(segments, store.scans());
+  PlaneAdjustment adjustment(options.max_plane_sigma_m, poses, clusters.held);
   for (std::size_t bucket = 0; bucket < kNumBuckets; ++bucket) {
     HF_TRY(const std::vector<PlaneCluster> members, clusters.sorted(bucket));
     adjustment.add(members);
   }
-  HF_TRY(const PlaneAdjustmentReport report, adjustment.solve(links));
+  weigh_links(clusters.held, poses, links);
+  const auto changes = velocity_changes(segments, store.scans(), clusters.held);
+  HF_TRY(const PlaneAdjustmentReport report, adjustment.solve(links, changes));
   move_scans(segments, adjustment.map_from_segment(), store.scans());
   return report;
 }
@@ -110,14 +141,7 @@ Expected<RefinementReport> refine_poses(const LidarRefineOptions& options,
   const std::vector<Segment> segments = cut_into_segments(scans, options.segment_s);
   report.num_segments = segments.size();
   if (segments.size() < 2) return report;
-  const std::vector<Rigid3> poses = anchor_poses(segments, scans);
-  std::vector<RelativePose> links;
-  for (std::uint32_t i = 0; i + 1 < segments.size(); ++i) {
-    links.push_back({.first = i,
-                     .second = i + 1,
-                     .first_from_second = poses[i].inverse() * poses[i + 1],
-                     .information = information_of(kLinkSigma_m, kLinkSigma_rad)});
-  }
+  std::vector<RelativePose> links = odometry_links(anchor_poses(segments, scans));
   for (int pass = 0; pass < options.iterations; ++pass) {
     if (ctx.stopped()) return fail(ErrorCode::kCancelled, "stopped by the caller");
     ctx.report({.stage = "lidar/refine", .done = pass, .total = options.iterations});

@@ -1,14 +1,31 @@
 #include "segments.hpp"
 
+#include "levelling.hpp"
+
 #include <hybridfusion/geometry/voxel_grid.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <unordered_map>
+
+#include <Eigen/Eigenvalues>
 
 namespace hybridfusion {
 namespace {
 
 constexpr std::size_t kMaxPointsPerScan = 4000;
 constexpr float kMinClusterPoints = 3.0F;
+
+constexpr float kMinPlanePoints = 6.0F;
+constexpr float kMaxPlaneSigma_m = 0.06F;
+constexpr float kMinFlatness = 9.0F;
+constexpr float kMaxClusterWeight = 20.0F;
+// Directions with a smaller mean squared cosine to the normals are held by errors of the normals
+// alone.
+constexpr double kMinCosine2 = 0.01;
+// Tilt of the poses and changes of the accelerometer bias; noise of the accelerometer.
+constexpr double kAccelSigma_mps2 = 0.01;
+constexpr double kVelocitySigma_mps = 0.003;
 
 struct Moments {
   std::uint64_t cell = 0;
@@ -90,6 +107,75 @@ void move_scans(const std::vector<Segment>& segments,
     scan.map_from_imu = scan.map_from_imu * *correction;
     scan.map_from_imu.rotation.normalize();
   }
+}
+
+bool is_bridged(const std::vector<StoredScan>& scans, std::size_t first, std::size_t last) {
+  constexpr std::uint32_t kImuGap = static_cast<std::uint32_t>(ScanFlag::kImuGap);
+  constexpr std::uint32_t kGap = static_cast<std::uint32_t>(ScanFlag::kLidarGap);
+  return std::ranges::any_of(
+      std::span(scans).subspan(first + 1, last - first), [](const StoredScan& scan) {
+        return (scan.flags & (kImuGap | kGap)) != 0 || scan.since_last.bridged;
+      });
+}
+
+std::optional<Eigen::Vector3d> normal_of(const PlaneCluster& cluster) {
+  if (cluster.count < kMinPlanePoints) return std::nullopt;
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver;
+  solver.computeDirect(cluster.covariance);
+  const Eigen::Vector3f& spread = solver.eigenvalues();
+  if (!(spread[0] <= kMaxPlaneSigma_m * kMaxPlaneSigma_m) ||
+      !(spread[1] >= kMinFlatness * spread[0])) {
+    return std::nullopt;
+  }
+  return solver.eigenvectors().col(0).cast<double>();
+}
+
+Eigen::Matrix3d held_directions(std::span<const PlaneCluster> clusters,
+                                const Rigid3& map_from_segment) {
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  double sum_weights = 0.0;
+  for (const PlaneCluster& cluster : clusters) {
+    const auto normal = normal_of(cluster);
+    if (!normal) continue;
+    const double weight = std::min(cluster.count, kMaxClusterWeight);
+    const Eigen::Vector3d in_map = map_from_segment.rotation * *normal;
+    sum += weight * in_map * in_map.transpose();
+    sum_weights += weight;
+  }
+  Eigen::Matrix3d held = Eigen::Matrix3d::Identity();
+  if (sum_weights == 0.0) return held;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(sum);
+  for (int i = 0; i < 3; ++i) {
+    if (solver.eigenvalues()[i] >= kMinCosine2 * sum_weights) continue;
+    held -= solver.eigenvectors().col(i) * solver.eigenvectors().col(i).transpose();
+  }
+  return held;
+}
+
+std::vector<VelocityChange> velocity_changes(const std::vector<Segment>& segments,
+                                             const std::vector<StoredScan>& scans,
+                                             std::span<const Eigen::Matrix3d> held) {
+  std::vector<VelocityChange> changes;
+  const auto fit = fit_gravity(scans);
+  if (!fit) return changes;
+  for (std::uint32_t k = 1; k + 1 < segments.size(); ++k) {
+    const Eigen::Matrix3d open = Eigen::Matrix3d::Identity() - held[k];
+    if (open.isZero(1e-9)) continue;
+    const std::size_t middle = segments[k].anchor;
+    const auto measured = inertial_velocity_change(
+        scans, segments[k - 1].anchor, middle, segments[k + 1].anchor, *fit);
+    if (!measured) continue;
+    const double period_s = 0.5 * (measured->before_s + measured->behind_s);
+    const double sigma_mps = std::hypot(kAccelSigma_mps2 * period_s, kVelocitySigma_mps);
+    const Eigen::Matrix3d rotation = scans[middle].map_from_imu.rotation.toRotationMatrix();
+    changes.push_back(
+        {.middle = k,
+         .before_s = measured->before_s,
+         .behind_s = measured->behind_s,
+         .in_middle_mps = rotation.transpose() * measured->in_map_mps,
+         .information = rotation.transpose() * open * rotation / (sigma_mps * sigma_mps)});
+  }
+  return changes;
 }
 
 std::vector<Rigid3> anchor_poses(const std::vector<Segment>& segments,

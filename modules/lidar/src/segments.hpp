@@ -3,6 +3,8 @@
 #include "plane_adjustment.hpp"
 #include "scan_store.hpp"
 
+#include <optional>
+#include <span>
 #include <vector>
 
 namespace hybridfusion {
@@ -27,6 +29,26 @@ struct Segment {
                                                                   const Segment& segment,
                                                                   std::uint32_t index,
                                                                   double voxel_m);
+
+/// The changes of velocity from segment to segment that the IMU measured along directions that the
+/// planes of the middle segment do not hold (`held` as from held_directions, one per segment), with
+/// gravity and accelerometer bias from fit_gravity; none without it, nor where IMU samples are
+/// missing.
+[[nodiscard]] std::vector<VelocityChange> velocity_changes(const std::vector<Segment>& segments,
+                                                           const std::vector<StoredScan>& scans,
+                                                           std::span<const Eigen::Matrix3d> held);
+
+/// Whether part of the motion behind scan `first`, up to scan `last`, was not measured.
+[[nodiscard]] bool is_bridged(const std::vector<StoredScan>& scans,
+                              std::size_t first,
+                              std::size_t last);
+
+/// Projector (3 x 3, map axes) onto the directions that the planes of a segment hold.
+[[nodiscard]] Eigen::Matrix3d held_directions(std::span<const PlaneCluster> clusters,
+                                              const Rigid3& map_from_segment);
+
+/// The normal of a cluster in its segment's frame; nothing when its points do not lie on a plane.
+[[nodiscard]] std::optional<Eigen::Vector3d> normal_of(const PlaneCluster& cluster);
 
 /// Carries the moves of the segments over to all scans: between two anchors the correction is
 /// interpolated in time, so that the trajectory stays smooth.
