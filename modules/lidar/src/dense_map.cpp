@@ -86,6 +86,7 @@ Expected<PointCloud> build_dense_map(const DenseMapOptions& options,
                                      ScanStore& store) {
   DenseMap map(options);
   const std::vector<StoredScan>& scans = store.scans();
+  std::vector<PackedPoint> points;
   if (scans.empty()) return PointCloud{};
   const auto max_range2 = static_cast<float>(options.max_range_m * options.max_range_m);
   const Timestamp origin = scans.front().begin;
@@ -101,7 +102,8 @@ Expected<PointCloud> build_dense_map(const DenseMapOptions& options,
     const auto span_s = static_cast<float>(to_seconds(scan.time - scan.begin));
     const auto usable = (scan.flags & (static_cast<std::uint32_t>(ScanFlag::kUnmatched) |
                                        static_cast<std::uint32_t>(ScanFlag::kDiverged))) == 0;
-    for (const PackedPoint& packed : store.points_of(scan)) {
+    if (auto read = store.read(scan, points); !read) return std::unexpected(read.error());
+    for (const PackedPoint& packed : points) {
       if (!usable) break;
       const UnpackedPoint point = unpack(packed);
       if (point.point_in_imu.squaredNorm() > max_range2) continue;

@@ -100,6 +100,25 @@ std::optional<GravityFit> fit_gravity(std::span<const StoredScan> scans) {
   return fit;
 }
 
+std::optional<InertialVelocityChange> inertial_velocity_change(std::span<const StoredScan> scans,
+                                                               std::size_t first,
+                                                               std::size_t middle,
+                                                               std::size_t last,
+                                                               const GravityFit& fit) {
+  const auto a = window_between(scans, first, middle);
+  const auto b = window_between(scans, middle, last);
+  if (!a || !b || !(a->duration_s > 0.0) || !(b->duration_s > 0.0)) return std::nullopt;
+  // The right side of the equation in fit_gravity.
+  const Eigen::Vector3d by_bias = (a->velocity_by_bias + b->position_by_bias / b->duration_s -
+                                   a->position_by_bias / a->duration_s) *
+                                  fit.accel_bias_mps2;
+  return InertialVelocityChange{
+      .before_s = a->duration_s,
+      .behind_s = b->duration_s,
+      .in_map_mps = 0.5 * (a->duration_s + b->duration_s) * fit.gravity_in_map + a->velocity +
+                    b->position / b->duration_s - a->position / a->duration_s + by_bias};
+}
+
 double level_map(std::vector<StoredScan>& scans) {
   if (scans.empty()) return 0.0;
   Eigen::Vector3d down = Eigen::Vector3d::Zero();

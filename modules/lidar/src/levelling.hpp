@@ -18,6 +18,22 @@ struct GravityFit {
 /// few unbridged windows.
 [[nodiscard]] std::optional<GravityFit> fit_gravity(std::span<const StoredScan> scans);
 
+/// What the IMU measured between three scans of ascending index.
+struct InertialVelocityChange {
+  double before_s = 0.0;  ///< From the first to the middle scan.
+  double behind_s = 0.0;  ///< From the middle to the last one.
+  /// Mean velocity behind the middle scan minus that before it, in the map [m/s].
+  Eigen::Vector3d in_map_mps = Eigen::Vector3d::Zero();
+};
+
+/// Nothing when part of the motion was not measured.
+[[nodiscard]] std::optional<InertialVelocityChange> inertial_velocity_change(
+    std::span<const StoredScan> scans,
+    std::size_t first,
+    std::size_t middle,
+    std::size_t last,
+    const GravityFit& fit);
+
 /// Turns the map about its first pose so that gravity points down: by fit_gravity where that is
 /// certain enough, else as the filter came to know gravity.
 /// @returns the angle of that turn [rad].

@@ -1,5 +1,6 @@
 #include "dense_map.hpp"
 #include "levelling.hpp"
+#include "loop_closure.hpp"
 #include "refinement.hpp"
 #include "scan_store.hpp"
 
@@ -35,18 +36,71 @@ void add_warnings(const OdometrySummary& summary, std::vector<std::string>& warn
 struct LidarMapper::Impl {
   LidarOdometry odometry;
   OdometryOptions options;
+  LidarRig rig;
   ScanStore store;
   MappingResult result = {};
 
+  /// The first error of the store; found by finish().
+  Expected<void> stored = {};
+
   void collect();
+  Expected<void> correct_drift(const RunContext& ctx);
+  Expected<void> refine(const RunContext& ctx);
 };
 
 void LidarMapper::Impl::collect() {
   for (const ScanEstimate& scan : odometry.take()) {
-    store.add(scan);
+    if (stored) stored = store.add(scan);
     result.quality.push_back(scan.quality);
     result.covariances.push_back(scan.covariance);
   }
+}
+
+/// Only what ends the whole stage is an error: without loops the drive is as good as it was.
+Expected<void> LidarMapper::Impl::correct_drift(const RunContext& ctx) {
+  if (!options.loop_closure.enabled) return {};
+  HF_TRY(const LoopClosureReport report,
+         close_loops(options.loop_closure,
+                     options.refine.segment_s,
+                     {.fixes = result.gnss_fixes, .antenna_in_imu = rig.gnss_antenna_in_imu},
+                     ctx,
+                     store));
+  result.num_loop_candidates = report.num_candidates;
+  result.num_loops = report.num_loops;
+  result.max_loop_error_m = report.max_error_m;
+  result.loops_applied = report.applied;
+  if (!report.contradiction.empty()) {
+    result.warnings.push_back("loops are not closed: " + report.contradiction);
+  }
+  if (report.applied) {
+    result.warnings.push_back(fmt::format(
+        "odometry had drifted by up to {:.2f} m: {} places passed twice corrected it by "
+        "up to {:.2f} m",
+        report.max_error_m,
+        report.num_loops,
+        report.max_move_m));
+  }
+  for (std::size_t i = 0; i < store.scans().size(); ++i) {
+    result.quality[i].flags = store.scans()[i].flags;
+  }
+  return {};
+}
+
+Expected<void> LidarMapper::Impl::refine(const RunContext& ctx) {
+  if (!options.refine.enabled) return {};
+  auto report = refine_poses(options.refine, ctx, store);
+  if (report) {
+    result.refine_iterations = report->iterations;
+    result.num_refine_planes = report->num_planes;
+    result.refine_rms_before_m = report->rms_before_m;
+    result.refine_rms_after_m = report->rms_after_m;
+    return {};
+  }
+  if (report.error().code == ErrorCode::kCancelled || report.error().code == ErrorCode::kIo) {
+    return std::unexpected(std::move(report).error());
+  }
+  result.warnings.push_back("the poses are not refined: " + report.error().message);
+  return {};
 }
 
 LidarMapper::LidarMapper(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -54,11 +108,19 @@ LidarMapper::LidarMapper(LidarMapper&&) noexcept = default;
 LidarMapper& LidarMapper::operator=(LidarMapper&&) noexcept = default;
 LidarMapper::~LidarMapper() = default;
 
-Expected<LidarMapper> LidarMapper::create(const OdometryOptions& options, const LidarRig& rig) {
+Expected<LidarMapper> LidarMapper::create(const OdometryOptions& options,
+                                          const LidarRig& rig,
+                                          const std::filesystem::path& scratch_folder) {
   HF_TRY(LidarOdometry odometry, LidarOdometry::create(options, rig));
-  return LidarMapper(std::make_unique<Impl>(Impl{.odometry = std::move(odometry),
-                                                 .options = options,
-                                                 .store = ScanStore(options.max_points_per_scan)}));
+  SpillFile spill;
+  if (!scratch_folder.empty()) {
+    HF_TRY(spill, SpillFile::create(scratch_folder));
+  }
+  return LidarMapper(std::make_unique<Impl>(
+      Impl{.odometry = std::move(odometry),
+           .options = options,
+           .rig = rig,
+           .store = ScanStore(options.max_points_per_scan, std::move(spill))}));
 }
 
 void LidarMapper::add(SensorMessage message) {
@@ -78,24 +140,13 @@ Expected<MappingResult> LidarMapper::finish(const RunContext& ctx) {
     return std::unexpected(std::move(finished).error());
   }
   impl_->collect();
+  if (!impl_->stored) return std::unexpected(impl_->stored.error());
   MappingResult& result = impl_->result;
   ScanStore& store = impl_->store;
   result.odometry = impl_->odometry.summary();
   add_warnings(result.odometry, result.warnings);
-  if (impl_->options.refine.enabled) {
-    auto report = refine_poses(impl_->options.refine, ctx, store);
-    if (!report && report.error().code == ErrorCode::kCancelled) {
-      return std::unexpected(std::move(report).error());
-    }
-    if (report) {
-      result.refine_iterations = report->iterations;
-      result.num_refine_planes = report->num_planes;
-      result.refine_rms_before_m = report->rms_before_m;
-      result.refine_rms_after_m = report->rms_after_m;
-    } else {
-      result.warnings.push_back("the poses are not refined: " + report.error().message);
-    }
-  }
+  if (auto done = impl_->correct_drift(ctx); !done) return std::unexpected(done.error());
+  if (auto done = impl_->refine(ctx); !done) return std::unexpected(done.error());
   result.level_correction_rad = level_map(store.scans());
   for (const StoredScan& scan : store.scans()) {
     result.trajectory.poses.push_back({.time = scan.time, .map_from_body = scan.map_from_imu});

@@ -52,7 +52,7 @@ Expected<void> validate_odometry(const OdometryOptions& options) {
 }
 
 std::string flags_text(std::uint32_t flags) {
-  constexpr std::array<std::pair<ScanFlag, const char*>, 10> kNames{
+  constexpr std::array<std::pair<ScanFlag, const char*>, 11> kNames{
       {{ScanFlag::kImuGap, "imu_gap"},
        {ScanFlag::kLidarGap, "lidar_gap"},
        {ScanFlag::kFewPoints, "few_points"},
@@ -62,7 +62,8 @@ std::string flags_text(std::uint32_t flags) {
        {ScanFlag::kSaturated, "saturated"},
        {ScanFlag::kClockStep, "clock_step"},
        {ScanFlag::kNoPointTimes, "no_point_times"},
-       {ScanFlag::kBadPoints, "bad_points"}}};
+       {ScanFlag::kBadPoints, "bad_points"},
+       {ScanFlag::kLoopCorrected, "loop_corrected"}}};
   std::string text;
   for (const auto& [flag, name] : kNames) {
     if ((flags & static_cast<std::uint32_t>(flag)) == 0) continue;

@@ -1,9 +1,8 @@
 #pragma once
 
-#include "scan_store.hpp"
+#include "pose_equations.hpp"
 
 #include <hybridfusion/core/error.hpp>
-#include <hybridfusion/core/run_context.hpp>
 
 #include <span>
 #include <vector>
@@ -20,13 +19,6 @@ struct PlaneCluster {
   Eigen::Matrix3f covariance = Eigen::Matrix3f::Zero();  ///< About the mean [m^2].
 };
 
-/// Pose change between neighbouring segments that odometry measured.
-struct SegmentLink {
-  Rigid3 first_from_second = {};
-  double sigma_m = 0.03;
-  double sigma_rad = 3e-3;
-};
-
 struct PlaneAdjustmentReport {
   std::size_t num_planes = 0;
   double rms_before_m = 0.0;  ///< Weighted point-to-plane distance.
@@ -35,13 +27,33 @@ struct PlaneAdjustmentReport {
 
 /// One Gauss-Newton pass over all segment poses and all planes at once; the planes are eliminated
 /// (as in bundle adjustment), so that a wall seen twice pulls both visits together. The first
-/// segment stays.
-/// @param clusters  Sorted by cell, then segment.
-/// @param links     links[i] joins segments i and i + 1.
-/// @returns kDegenerate when the system cannot be solved.
-[[nodiscard]] Expected<PlaneAdjustmentReport> adjust_planes(std::span<const PlaneCluster> clusters,
-                                                            std::span<const SegmentLink> links,
-                                                            double max_plane_sigma_m,
-                                                            std::vector<Rigid3>& map_from_segment);
+/// segment stays. Clusters come in batches, so that they need not be in memory together.
+class PlaneAdjustment {
+ public:
+  /// @param held  Per segment the projector (map axes) onto the directions that its planes hold;
+  /// along others the links alone decide. Empty: all directions of all segments.
+  PlaneAdjustment(double max_plane_sigma_m,
+                  std::vector<Rigid3> map_from_segment,
+                  std::vector<Eigen::Matrix3d> held = {});
+
+  /// @param clusters  All of their cells, sorted by cell, then segment.
+  void add(std::span<const PlaneCluster> clusters);
+  /// Moves the segments. @param links  What odometry measured between segments; they join them all.
+  /// @returns kDegenerate when the system cannot be solved.
+  [[nodiscard]] Expected<PlaneAdjustmentReport> solve(
+      std::span<const RelativePose> links, std::span<const VelocityChange> velocity_changes = {});
+  [[nodiscard]] const std::vector<Rigid3>& map_from_segment() const { return map_from_segment_; }
+
+ private:
+  void add_cell(std::span<const PlaneCluster> members);
+
+  double max_plane_sigma_m_;
+  std::vector<Rigid3> map_from_segment_;
+  std::vector<Eigen::Matrix3d> held_;
+  PoseEquations equations_;
+  PlaneAdjustmentReport report_ = {};
+  double sum_squares_ = 0.0;
+  double sum_weights_ = 0.0;
+};
 
 }  // namespace hybridfusion

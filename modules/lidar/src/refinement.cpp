@@ -1,128 +1,134 @@
 #include "refinement.hpp"
 
+#include "segments.hpp"
+
 #include <hybridfusion/core/parallel.hpp>
-#include <hybridfusion/geometry/voxel_grid.hpp>
 
 #include <algorithm>
-#include <unordered_map>
+#include <cstring>
 
 namespace hybridfusion {
 namespace {
 
-constexpr std::size_t kMaxPointsPerScan = 4000;
-constexpr float kMinClusterPoints = 3.0F;
 constexpr double kConverged_m = 5e-4;
 
-/// Consecutive scans that move as one body; the frame is the IMU at the middle scan.
-struct Segment {
-  std::size_t first = 0;
-  std::size_t last = 0;  // one behind
-  std::size_t anchor = 0;
+constexpr double kLinkSigma_m = 0.03;
+constexpr double kLinkSigma_rad = 3e-3;
+constexpr double kBlindLinkSigma_m = 0.3;
+constexpr std::size_t kSegmentsAtOnce = 32;
+constexpr std::size_t kNumBuckets = 64;
+constexpr std::size_t kBlockClusters = 1024;
+
+/// Clusters by the hash of their cell, so that one bucket at a time holds all members of its cells.
+struct ClusterBuckets {
+  struct Bucket {
+    std::vector<PlaneCluster> open = {};
+    std::vector<SpillFile::Block> blocks = {};
+  };
+  SpillFile spill;
+  std::vector<Eigen::Matrix3d> held = {};  // per segment, see held_directions
+  std::vector<Bucket> buckets = std::vector<Bucket>(kNumBuckets);
+
+  Expected<void> add(const std::vector<PlaneCluster>& clusters) {
+    for (const PlaneCluster& cluster : clusters) {
+      Bucket& bucket = buckets[(cluster.cell * 0x9E3779B97F4A7C15ULL) >> 58U];
+      bucket.open.push_back(cluster);
+      if (bucket.open.size() < kBlockClusters) continue;
+      HF_TRY(const SpillFile::Block block, spill.append(std::as_bytes(std::span(bucket.open))));
+      bucket.blocks.push_back(block);
+      bucket.open.clear();
+    }
+    return {};
+  }
+
+  Expected<std::vector<PlaneCluster>> sorted(std::size_t index) {
+    Bucket& bucket = buckets[index];
+    std::vector<PlaneCluster> clusters;
+    std::vector<std::byte> bytes;
+    for (const SpillFile::Block& block : bucket.blocks) {
+      if (auto read = spill.read(block, bytes); !read) return std::unexpected(read.error());
+      const std::size_t old_size = clusters.size();
+      clusters.resize(old_size + bytes.size() / sizeof(PlaneCluster));
+      std::memcpy(static_cast<void*>(clusters.data() + old_size), bytes.data(), bytes.size());
+      spill.drop(block);
+    }
+    clusters.insert(clusters.end(), bucket.open.begin(), bucket.open.end());
+    std::vector<PlaneCluster>().swap(bucket.open);
+    std::ranges::sort(clusters, [](const PlaneCluster& a, const PlaneCluster& b) {
+      return a.cell != b.cell ? a.cell < b.cell : a.segment < b.segment;
+    });
+    return clusters;
+  }
 };
 
-std::vector<Segment> cut_into_segments(const std::vector<StoredScan>& scans, double duration_s) {
-  std::vector<Segment> segments;
-  for (std::size_t i = 0; i < scans.size(); ++i) {
-    if (segments.empty() ||
-        to_seconds(scans[i].time - scans[segments.back().first].time) >= duration_s - 1e-3) {
-      segments.push_back({.first = i});
-    }
-    segments.back().last = i + 1;
-    segments.back().anchor = (segments.back().first + segments.back().last) / 2;
-  }
-  return segments;
-}
-
-struct Moments {
-  std::uint64_t cell = 0;
-  float count = 0.0F;
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
-};
-
-std::vector<PlaneCluster> cluster_segment(const ScanStore& store,
-                                          const Segment& segment,
-                                          std::uint32_t index,
-                                          double voxel_m) {
-  const std::vector<StoredScan>& scans = store.scans();
-  const Rigid3& anchor = scans[segment.anchor].map_from_imu;
-  std::unordered_map<std::uint64_t, std::size_t> slots;
-  std::vector<Moments> cells;
-  for (std::size_t s = segment.first; s < segment.last; ++s) {
-    const Eigen::Isometry3f map_from_imu(
-        Eigen::Isometry3d(scans[s].map_from_imu.matrix()).cast<float>());
-    const Eigen::Isometry3f segment_from_imu(
-        Eigen::Isometry3d((anchor.inverse() * scans[s].map_from_imu).matrix()).cast<float>());
-    const auto points = store.points_of(scans[s]);
-    const std::size_t stride = points.size() / kMaxPointsPerScan + 1;
-    for (std::size_t i = 0; i < points.size(); i += stride) {
-      const Eigen::Vector3f point = unpack(points[i]).point_in_imu;
-      const std::uint64_t cell = voxel_key(voxel_of(map_from_imu * point, voxel_m));
-      const auto [at, added] = slots.try_emplace(cell, cells.size());
-      if (added) cells.push_back({.cell = cell});
-      Moments& moments = cells[at->second];
-      const Eigen::Vector3d q = (segment_from_imu * point).cast<double>();
-      moments.count += 1.0F;
-      moments.sum += q;
-      moments.squares += q * q.transpose();
+Expected<ClusterBuckets> cluster_all(const ScanStore& store,
+                                     const std::vector<Segment>& segments,
+                                     double voxel_m,
+                                     const RunContext& ctx) {
+  HF_TRY(SpillFile spill, store.new_spill());
+  ClusterBuckets out{.spill = std::move(spill)};
+  std::vector<Expected<std::vector<PlaneCluster>>> parts(kSegmentsAtOnce);
+  for (std::size_t first = 0; first < segments.size(); first += kSegmentsAtOnce) {
+    if (ctx.stopped()) return fail(ErrorCode::kCancelled, "stopped by the caller");
+    const std::size_t count = std::min(kSegmentsAtOnce, segments.size() - first);
+    parallel_for(ctx, count, 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        parts[i] = cluster_segment(
+            store, segments[first + i], static_cast<std::uint32_t>(first + i), voxel_m);
+      }
+    });
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!parts[i]) return std::unexpected(parts[i].error());
+      const Segment& segment = segments[first + i];
+      out.held.push_back(held_directions(*parts[i], store.scans()[segment.anchor].map_from_imu));
+      if (auto added = out.add(*parts[i]); !added) return std::unexpected(added.error());
     }
   }
-  std::vector<PlaneCluster> clusters;
-  for (const Moments& moments : cells) {
-    if (moments.count < kMinClusterPoints) continue;
-    const Eigen::Vector3d mean = moments.sum / moments.count;
-    clusters.push_back(
-        {.cell = moments.cell,
-         .segment = index,
-         .count = moments.count,
-         .mean = mean.cast<float>(),
-         .covariance = (moments.squares / moments.count - mean * mean.transpose()).cast<float>()});
-  }
-  return clusters;
+  return out;
 }
 
-std::vector<PlaneCluster> cluster_all(const ScanStore& store,
-                                      const std::vector<Segment>& segments,
-                                      double voxel_m,
-                                      const RunContext& ctx) {
-  std::vector<std::vector<PlaneCluster>> parts(segments.size());
-  parallel_for(ctx, segments.size(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      parts[i] = cluster_segment(store, segments[i], static_cast<std::uint32_t>(i), voxel_m);
-    }
-  });
-  std::size_t total = 0;
-  for (const auto& part : parts) total += part.size();
-  std::vector<PlaneCluster> clusters;
-  clusters.reserve(total);
-  for (auto& part : parts) {
-    clusters.insert(clusters.end(), part.begin(), part.end());
-    part = {};
+std::vector<RelativePose> odometry_links(const std::vector<Rigid3>& poses) {
+  std::vector<RelativePose> links;
+  for (std::uint32_t i = 0; i + 1 < poses.size(); ++i) {
+    links.push_back(
+        {.first = i, .second = i + 1, .first_from_second = poses[i].inverse() * poses[i + 1]});
   }
-  std::ranges::sort(clusters, [](const PlaneCluster& a, const PlaneCluster& b) {
-    return a.cell != b.cell ? a.cell < b.cell : a.segment < b.segment;
-  });
-  return clusters;
+  return links;
 }
 
-/// Carries the moves of the segments over to all scans: between two anchors the correction is
-/// interpolated in time, so that the trajectory stays smooth.
-void move_scans(const std::vector<Segment>& segments,
-                const std::vector<Rigid3>& map_from_segment,
-                std::vector<StoredScan>& scans) {
-  Trajectory corrections;
-  for (std::size_t i = 0; i < segments.size(); ++i) {
-    const StoredScan& anchor = scans[segments[i].anchor];
-    corrections.poses.push_back(
-        {.time = anchor.time,
-         .map_from_body = anchor.map_from_imu.inverse() * map_from_segment[i]});
+/// Along directions that no plane holds the odometry guesses: there the IMU decides.
+void weigh_links(const std::vector<Eigen::Matrix3d>& held,
+                 const std::vector<Rigid3>& poses,
+                 std::vector<RelativePose>& links) {
+  for (RelativePose& link : links) {
+    const Eigen::Matrix3d axes = poses[link.first].rotation.toRotationMatrix().transpose();
+    const Eigen::Matrix3d seen = axes * held[link.first] * held[link.second] * axes.transpose();
+    const Eigen::Matrix3d both = 0.5 * (seen + seen.transpose());
+    link.information = information_of(kLinkSigma_m, kLinkSigma_rad);
+    link.information.topLeftCorner<3, 3>() =
+        both / (kLinkSigma_m * kLinkSigma_m) +
+        (Eigen::Matrix3d::Identity() - both) / (kBlindLinkSigma_m * kBlindLinkSigma_m);
   }
-  for (StoredScan& scan : scans) {
-    const auto correction = interpolate(corrections, scan.time, kUnbounded);
-    if (!correction) continue;
-    scan.map_from_imu = scan.map_from_imu * *correction;
-    scan.map_from_imu.rotation.normalize();
+}
+
+/// One pass of the adjustment. @returns kDegenerate, kCancelled, kIo.
+Expected<PlaneAdjustmentReport> adjust_once(const LidarRefineOptions& options,
+                                            const RunContext& ctx,
+                                            const std::vector<Segment>& segments,
+                                            std::vector<RelativePose>& links,
+                                            ScanStore& store) {
+  HF_TRY(ClusterBuckets clusters, cluster_all(store, segments, options.voxel_m, ctx));
+  const std::vector<Rigid3> poses = anchor_poses(segments, store.scans());
+  PlaneAdjustment adjustment(options.max_plane_sigma_m, poses, clusters.held);
+  for (std::size_t bucket = 0; bucket < kNumBuckets; ++bucket) {
+    HF_TRY(const std::vector<PlaneCluster> members, clusters.sorted(bucket));
+    adjustment.add(members);
   }
+  weigh_links(clusters.held, poses, links);
+  const auto changes = velocity_changes(segments, store.scans(), clusters.held);
+  HF_TRY(const PlaneAdjustmentReport report, adjustment.solve(links, changes));
+  move_scans(segments, adjustment.map_from_segment(), store.scans());
+  return report;
 }
 
 }  // namespace
@@ -135,20 +141,12 @@ Expected<RefinementReport> refine_poses(const LidarRefineOptions& options,
   const std::vector<Segment> segments = cut_into_segments(scans, options.segment_s);
   report.num_segments = segments.size();
   if (segments.size() < 2) return report;
-  std::vector<SegmentLink> links;
-  for (std::size_t i = 0; i + 1 < segments.size(); ++i) {
-    links.push_back({.first_from_second = scans[segments[i].anchor].map_from_imu.inverse() *
-                                          scans[segments[i + 1].anchor].map_from_imu});
-  }
+  std::vector<RelativePose> links = odometry_links(anchor_poses(segments, scans));
   for (int pass = 0; pass < options.iterations; ++pass) {
     if (ctx.stopped()) return fail(ErrorCode::kCancelled, "stopped by the caller");
     ctx.report({.stage = "lidar/refine", .done = pass, .total = options.iterations});
-    const auto clusters = cluster_all(store, segments, options.voxel_m, ctx);
-    std::vector<Rigid3> poses;
-    for (const Segment& segment : segments) poses.push_back(scans[segment.anchor].map_from_imu);
-    auto adjusted = adjust_planes(clusters, links, options.max_plane_sigma_m, poses);
+    auto adjusted = adjust_once(options, ctx, segments, links, store);
     if (!adjusted) return std::unexpected(std::move(adjusted).error().with_context("refining"));
-    move_scans(segments, poses, scans);
     if (pass == 0) report.rms_before_m = adjusted->rms_before_m;
     report.rms_after_m = adjusted->rms_before_m;
     report.num_planes = adjusted->num_planes;

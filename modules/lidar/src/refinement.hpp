@@ -3,6 +3,7 @@
 #include "plane_adjustment.hpp"
 #include "scan_store.hpp"
 
+#include <hybridfusion/core/run_context.hpp>
 #include <hybridfusion/lidar/odometry_options.hpp>
 
 namespace hybridfusion {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstring>
 
 namespace hybridfusion {
 namespace {
@@ -45,19 +46,19 @@ UnpackedPoint unpack(const PackedPoint& point) {
           .share = static_cast<float>(point.time) / 65535.0F};
 }
 
-ScanStore::ScanStore(int max_points_per_scan)
-    : max_points_per_scan_(static_cast<std::size_t>(max_points_per_scan)) {
+ScanStore::ScanStore(int max_points_per_scan, SpillFile spill)
+    : max_points_per_scan_(static_cast<std::size_t>(max_points_per_scan)),
+      spill_(std::move(spill)) {
   HF_CHECK(max_points_per_scan > 0);
 }
 
-void ScanStore::add(const ScanEstimate& scan) {
+Expected<void> ScanStore::add(const ScanEstimate& scan) {
   StoredScan stored{.begin = scan.start,
                     .time = scan.time,
                     .map_from_imu = scan.map_from_imu,
                     .gravity_in_imu = scan.map_from_imu.rotation.conjugate() * scan.gravity_in_map,
                     .gravity_sigma_rad = scan.gravity_sigma_rad,
                     .since_last = scan.since_last,
-                    .block = points_.size(),
                     .flags = scan.quality.flags};
   std::vector<PackedPoint> packed;
   if (!scan.deskewed.empty()) {
@@ -74,16 +75,21 @@ void ScanStore::add(const ScanEstimate& scan) {
     }
   }
   stored.num_points = packed.size();
-  points_.push_back(std::move(packed));
+  HF_TRY(stored.block, spill_.append(std::as_bytes(std::span(packed))));
   scans_.push_back(stored);
+  return {};
 }
 
-std::span<const PackedPoint> ScanStore::points_of(const StoredScan& scan) const {
-  return points_[scan.block];
+Expected<void> ScanStore::read(const StoredScan& scan, std::vector<PackedPoint>& out) const {
+  std::vector<std::byte> bytes;
+  if (auto done = spill_.read(scan.block, bytes); !done) return done;
+  out.resize(bytes.size() / sizeof(PackedPoint));
+  if (!out.empty()) std::memcpy(out.data(), bytes.data(), out.size() * sizeof(PackedPoint));
+  return {};
 }
 
 void ScanStore::drop_points(const StoredScan& scan) {
-  std::vector<PackedPoint>().swap(points_[scan.block]);
+  spill_.drop(scan.block);
 }
 
 }  // namespace hybridfusion

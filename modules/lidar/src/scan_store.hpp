@@ -1,5 +1,7 @@
 #pragma once
 
+#include "spill_file.hpp"
+
 #include <hybridfusion/lidar/odometry.hpp>
 
 #include <cstdint>
@@ -34,29 +36,33 @@ struct StoredScan {
   Eigen::Vector3d gravity_in_imu = Eigen::Vector3d::Zero();
   double gravity_sigma_rad = 0.0;
   ImuIncrement since_last = {};
-  std::size_t block = 0;  ///< Of its points in the store.
+  SpillFile::Block block = {};  ///< Its points in the store.
   std::size_t num_points = 0;
   std::uint32_t flags = 0;
 };
 
 /// All located scans of a recording with their deskewed points, for what is done when it is over.
+/// The points go to `spill`.
 class ScanStore {
  public:
   /// Keeps every n-th point of scans with more than `max_points_per_scan`.
-  explicit ScanStore(int max_points_per_scan);
+  explicit ScanStore(int max_points_per_scan, SpillFile spill = {});
 
-  void add(const ScanEstimate& scan);
+  /// @returns kIo.
+  [[nodiscard]] Expected<void> add(const ScanEstimate& scan);
   [[nodiscard]] const std::vector<StoredScan>& scans() const { return scans_; }
   [[nodiscard]] std::vector<StoredScan>& scans() { return scans_; }
-  [[nodiscard]] std::span<const PackedPoint> points_of(const StoredScan& scan) const;
-  /// Gives the memory of a scan's points back.
+  /// Reuses `out`. May run on several threads at once. @returns kIo.
+  [[nodiscard]] Expected<void> read(const StoredScan& scan, std::vector<PackedPoint>& out) const;
+  /// Another place of the same kind as that of the points. @returns kIo.
+  [[nodiscard]] Expected<SpillFile> new_spill() const { return spill_.another(); }
+  /// Gives the room of a scan's points back.
   void drop_points(const StoredScan& scan);
 
  private:
   std::size_t max_points_per_scan_;
   std::vector<StoredScan> scans_ = {};
-  // One block a scan: a single growing array would copy itself and double the peak.
-  std::vector<std::vector<PackedPoint>> points_ = {};
+  SpillFile spill_;
 };
 
 }  // namespace hybridfusion

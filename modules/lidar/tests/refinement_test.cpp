@@ -30,10 +30,13 @@ TEST(ScanStore, KeepsEveryNthPointOfADenseScan) {
   ScanEstimate scan{.time = from_seconds(1.0)};
   scan.deskewed.resize(1000, {.point_in_lidar = {1, 2, 3}});
   ScanStore store(300);
-  store.add(scan);
-  EXPECT_EQ(store.points_of(store.scans()[0]).size(), 250U);
+  ASSERT_TRUE(store.add(scan));
+  std::vector<PackedPoint> points;
+  ASSERT_TRUE(store.read(store.scans()[0], points));
+  EXPECT_EQ(points.size(), 250U);
   store.drop_points(store.scans()[0]);
-  EXPECT_TRUE(store.points_of(store.scans()[0]).empty());
+  ASSERT_TRUE(store.read(store.scans()[0], points));
+  EXPECT_TRUE(points.empty());
 }
 
 /// Points of three orthogonal walls seen by three segments, as clusters at the true poses.
@@ -76,18 +79,31 @@ TEST(AdjustPlanes, BringsDisplacedSegmentsBack) {
   poses[1].translation += Eigen::Vector3d(0.02, -0.01, 0.015);
   poses[2].rotation = poses[2].rotation * Eigen::Quaterniond(so3_exp({0.002, -0.001, 0.003}));
   // Links that believe the displaced poses, far less than the planes do.
-  std::vector<SegmentLink> links;
-  for (int i = 0; i < 2; ++i)
-    links.push_back({.first_from_second = poses[i].inverse() * poses[i + 1]});
-  for (int pass = 0; pass < 4; ++pass) ASSERT_TRUE(adjust_planes(clusters, links, 0.05, poses));
+  std::vector<RelativePose> links;
+  for (std::uint32_t i = 0; i < 2; ++i) {
+    links.push_back({.first = i,
+                     .second = i + 1,
+                     .first_from_second = poses[i].inverse() * poses[i + 1],
+                     .information = information_of(0.03, 3e-3)});
+  }
+  for (int pass = 0; pass < 4; ++pass) {
+    PlaneAdjustment adjustment(0.05, poses);
+    adjustment.add(clusters);
+    ASSERT_TRUE(adjustment.solve(links));
+    poses = adjustment.map_from_segment();
+  }
   for (int i = 0; i < 3; ++i) EXPECT_THAT(poses[i], Rigid3Near(truth[i], 1e-3, 1e-4)) << i;
 }
 
 TEST(AdjustPlanes, FollowsTheLinksWhereThereIsNoPlane) {
-  std::vector<Rigid3> poses(3);
-  const std::vector<SegmentLink> links(2, {.first_from_second = {.translation = {1, 0, 0}}});
-  for (int pass = 0; pass < 2; ++pass) ASSERT_TRUE(adjust_planes({}, links, 0.05, poses));
-  EXPECT_THAT(poses[2], Rigid3Near(Rigid3{.translation = {2, 0, 0}}, 1e-9, 1e-9));
+  PlaneAdjustment adjustment(0.05, std::vector<Rigid3>(3));
+  std::vector<RelativePose> links(2, {.first_from_second = {.translation = {1, 0, 0}}});
+  links[0].second = 1;
+  links[1].first = 1;
+  links[1].second = 2;
+  ASSERT_TRUE(adjustment.solve(links));
+  EXPECT_THAT(adjustment.map_from_segment()[2],
+              Rigid3Near(Rigid3{.translation = {2, 0, 0}}, 1e-9, 1e-9));
 }
 
 std::vector<StoredScan> tilted_drive(const Eigen::Quaterniond& map_from_level) {

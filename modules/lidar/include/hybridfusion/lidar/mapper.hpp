@@ -6,6 +6,7 @@
 #include <hybridfusion/core/trajectory.hpp>
 #include <hybridfusion/lidar/odometry.hpp>
 
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -22,7 +23,11 @@ struct MappingResult {
   std::vector<Eigen::Matrix<double, 6, 6>> covariances = {};
   std::vector<GnssFix> gnss_fixes = {};  ///< As received, for align_gnss.
   OdometrySummary odometry = {};
-  int refine_iterations = 0;  ///< 0 when refinement is off or had nothing to do.
+  std::size_t num_loop_candidates = 0;  ///< Pairs of places that may be the same.
+  std::size_t num_loops = 0;            ///< Places that were passed twice and verified.
+  double max_loop_error_m = 0.0;        ///< By which odometry alone left them open.
+  bool loops_applied = false;           ///< False when they were closed already.
+  int refine_iterations = 0;            ///< 0 when refinement is off or had nothing to do.
   std::size_t num_refine_planes = 0;
   double refine_rms_before_m = 0.0;  ///< Of points about common planes.
   double refine_rms_after_m = 0.0;
@@ -34,14 +39,17 @@ struct MappingResult {
 [[nodiscard]] std::string quality_csv_header();
 [[nodiscard]] std::string quality_csv_row(const ScanQuality& quality);
 
-/// HybridFusion III-B from messages to map: odometry while messages come in, refinement and dense
-/// map at the end. Memory: 12 bytes a point of every scan (at most max_points_per_scan of each)
-/// until finish(), then 44 bytes a dense voxel.
+/// HybridFusion III-B from messages to map: odometry while messages come in, loop closure,
+/// refinement and dense map at the end.
 class LidarMapper {
  public:
-  /// @returns kInvalidOptions.
-  [[nodiscard]] static Expected<LidarMapper> create(const OdometryOptions& options,
-                                                    const LidarRig& rig);
+  /// @param scratch_folder  Holds the points of all scans (12 bytes each) until finish(), in a file
+  /// without a name; empty: they stay in memory.
+  /// @returns kInvalidOptions; kIo when nothing can be written to `scratch_folder`.
+  [[nodiscard]] static Expected<LidarMapper> create(
+      const OdometryOptions& options,
+      const LidarRig& rig,
+      const std::filesystem::path& scratch_folder = {});
   LidarMapper(LidarMapper&&) noexcept;
   LidarMapper& operator=(LidarMapper&&) noexcept;
   ~LidarMapper();
@@ -49,7 +57,8 @@ class LidarMapper {
   /// Messages in the order of recording.
   void add(SensorMessage message);
   [[nodiscard]] std::size_t num_located_scans() const;
-  /// @returns kInsufficient without IMU samples, scans or a single point in the map; kCancelled.
+  /// @returns kInsufficient without IMU samples, scans or a single point in the map; kCancelled;
+  /// kIo when the scratch folder fills up.
   [[nodiscard]] Expected<MappingResult> finish(const RunContext& ctx);
 
  private:

@@ -25,6 +25,8 @@ enum class ScanFlag : std::uint32_t {
   kClockStep = 1U << 7U,     ///< A sensor clock jumped; the stamps were shifted to go on.
   kNoPointTimes = 1U << 8U,  ///< All points carry one time: motion within the scan is not removed.
   kBadPoints = 1U << 9U,     ///< More than half of the returns were NaN, infinite or out of range.
+  /// Loop closure corrected the motion here: odometry had drifted.
+  kLoopCorrected = 1U << 16U,
 };
 
 /// "imu_gap|degenerate"; "" for 0.
