@@ -175,8 +175,8 @@ struct OptionFields<LocalMapOptions> {
       Field{&T::structure,
             {.key = "structure",
              .choices = "hash|ikdtree",
-             .doc = "hash: flat hash of voxels that keep the mean of their points, the quicker and "
-                    "more accurate; ikdtree: incremental k-d tree that keeps the point nearest to "
+             .doc = "hash: flat hash of voxels that keep the mean of their points, the more "
+                    "accurate; ikdtree: incremental k-d tree that keeps the point nearest to "
                     "each voxel's centre, as the paper.",
              .source = "HybridFusion III-B.2; FAST-LIO2, IV"}},
       Field{&T::voxel_m,
