@@ -146,7 +146,7 @@ Expected<void> read_ply_batches(const std::filesystem::path& path,
     batch.count = std::min<std::uint64_t>(batch_points, vertices->count - done);
     CloudBuilder builder = builder_for(batch);
     if (auto read = read_vertices(reader, batch, builder); !read) return read;
-    HF_TRY(PointCloud cloud, finish(reader, std::move(builder)));
+    HF_TRY(PointCloud cloud, finished(path, std::move(builder).finish()));
     if (auto visited = visit(std::move(cloud)); !visited) return visited;
   }
   return {};
