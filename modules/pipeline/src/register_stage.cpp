@@ -62,22 +62,21 @@ Json json_of(const PoseCovariance& covariance) {
 
 Json json_of(const PatchMatch& patch) {
   const auto cell = [](const Eigen::Vector2i& index) { return Json{index.x(), index.y()}; };
-  return {{"lidar_cell", cell(patch.lidar_cell)},
-          {"vision_cell", cell(patch.vision_cell)},
-          {"outcome", to_string(patch.outcome)},
-          {"centroid_in_vision",
-           {patch.centroid_in_vision.x(),
-            patch.centroid_in_vision.y(),
-            patch.centroid_in_vision.z()}},
-          {"num_points", patch.num_points},
-          {"num_candidates", patch.num_candidates},
-          {"num_correlated", patch.num_correlated},
-          {"num_similar", patch.num_similar},
-          {"correlation", patch.correlation},
-          {"neighbour_score", patch.neighbour_score},
-          {"score_2d_m", patch.score_2d_m},
-          {"score_3d_m", patch.score_3d_m},
-          {"vision_from_lidar", matrix_json(patch.vision_from_lidar)}};
+  return {
+      {"lidar_cell", cell(patch.lidar_cell)},
+      {"vision_cell", cell(patch.vision_cell)},
+      {"outcome", to_string(patch.outcome)},
+      {"centroid_in_vision",
+       {patch.centroid_in_vision.x(), patch.centroid_in_vision.y(), patch.centroid_in_vision.z()}},
+      {"num_points", patch.num_points},
+      {"num_candidates", patch.num_candidates},
+      {"num_correlated", patch.num_correlated},
+      {"num_similar", patch.num_similar},
+      {"correlation", patch.correlation},
+      {"neighbour_score", patch.neighbour_score},
+      {"score_2d_m", patch.score_2d_m},
+      {"score_3d_m", patch.score_3d_m},
+      {"vision_from_lidar", matrix_json(patch.vision_from_lidar)}};
 }
 
 Json json_of(const RegistrationResult& result) {

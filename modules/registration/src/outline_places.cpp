@@ -44,9 +44,9 @@ void level_place(OutlinePlace& place,
 }  // namespace
 
 Expected<OutlinePlaces> find_places(const PreparedClouds& clouds,
-                                                const RegistrationInput& input,
-                                                const RegistrationOptions& options,
-                                                const RunContext& ctx) {
+                                    const RegistrationInput& input,
+                                    const RegistrationOptions& options,
+                                    const RunContext& ctx) {
   const PlanarPattern pattern = make_pattern(clouds.lidar_maps, Eigen::Matrix3d::Identity());
   if (pattern.facades.empty()) {
     return fail(ErrorCode::kDegenerate,

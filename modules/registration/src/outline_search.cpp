@@ -161,10 +161,10 @@ PlanarPattern make_pattern(const LidarMaps& maps, const Eigen::Matrix3d& tilt) {
 }
 
 Expected<OutlineSearch> search_outlines(const VisionMaps& vision,
-                                                  const PlanarPattern& pattern,
-                                                  const SearchWindow& window,
-                                                  const OutlineOptions& options,
-                                                  const RunContext& ctx) {
+                                        const PlanarPattern& pattern,
+                                        const SearchWindow& window,
+                                        const OutlineOptions& options,
+                                        const RunContext& ctx) {
   if (pattern.facades.empty()) {
     return fail(ErrorCode::kInsufficient, "the LiDAR cloud has no facade to register on");
   }

@@ -51,7 +51,11 @@ struct OutlineSearch {
 /// Exhaustive search: for each heading, facade weight on rims less ground in buildings for every
 /// shift by FFT.
 /// @returns kInsufficient when there is nothing to correlate, kCancelled when stopped.
-[[nodiscard]] Expected<OutlineSearch> search_outlines(const VisionMaps& vision, const PlanarPattern& pattern, const SearchWindow& window, const OutlineOptions& options, const RunContext& ctx);
+[[nodiscard]] Expected<OutlineSearch> search_outlines(const VisionMaps& vision,
+                                                      const PlanarPattern& pattern,
+                                                      const SearchWindow& window,
+                                                      const OutlineOptions& options,
+                                                      const RunContext& ctx);
 
 /// True when two poses belong to one peak of the search.
 [[nodiscard]] bool same_peak(const PlanarPose& a,
