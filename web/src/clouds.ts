@@ -56,6 +56,14 @@ export class Clouds {
     this.potree.pointBudget = 3_000_000;
   }
 
+  /** A machine that draws slowly shows fewer points. @returns whether there is less to draw now. */
+  lighten(): boolean {
+    const LEAST = 400_000;
+    if (this.potree.pointBudget <= LEAST) return false;
+    this.potree.pointBudget = Math.max(LEAST, this.potree.pointBudget / 2);
+    return true;
+  }
+
   async load(scene: SceneInfo): Promise<void> {
     for (const info of scene.layers) {
       const url = `/cloud/${info.name}/metadata.json`;

@@ -20,8 +20,9 @@ class Viewer {
   private readonly before: Matrix4 | null;
   private readonly after: Matrix4 | null;
   private measuring = false;
+  private lastDrawn = 0; // [ms]
+  private slowFrames = 0; // in a row
   private framesLeft = 0; // still to draw; nothing is drawn while nothing changes
-  private reach = 100; // half the extent of what is shown [m]
 
   constructor(
     private readonly info: SceneInfo, private readonly clouds: Clouds,
@@ -165,14 +166,14 @@ class Viewer {
 
   private look(direction: Vector3, box: Box3): void {
     const size = box.getSize(new Vector3());
-    this.reach = Math.max(1, 0.5 * Math.hypot(size.x, size.y));
-    const distance = (1.05 * this.reach) / Math.tan((this.camera.fov * Math.PI) / 360) / Math.min(1.4, Math.max(this.camera.aspect, 0.6));
+    const reach = Math.max(1, 0.5 * Math.hypot(size.x, size.y)); // half the extent of what is shown [m]
+    const distance = (1.05 * reach) / Math.tan((this.camera.fov * Math.PI) / 360) / Math.min(1.4, Math.max(this.camera.aspect, 0.6));
     this.controls.target.copy(box.getCenter(new Vector3()));
     this.camera.position.copy(this.controls.target).addScaledVector(direction.normalize(), distance);
-    this.camera.near = this.reach * 0.002;
-    this.camera.far = this.reach * 60;
+    this.camera.near = reach * 0.002;
+    this.camera.far = reach * 60;
     this.camera.updateProjectionMatrix();
-    this.controls.maxDistance = this.reach * 20;
+    this.controls.maxDistance = reach * 20;
     this.controls.update();
     this.redraw();
   }
@@ -197,12 +198,27 @@ class Viewer {
     const box = this.extent();
     this.clouds.setHeightRange(box.min.z, box.max.z);
     this.look(new Vector3(-0.45, -0.8, 0.62), this.interest());
-    this.draw();
+    this.draw(performance.now());
   }
 
-  private readonly draw = (): void => {
+  /** Frames that follow each other slowly ask for fewer points. */
+  private watchSpeed(now: number): void {
+    const SLOW_MS = 200;
+    const slow = now - this.lastDrawn > SLOW_MS;
+    this.lastDrawn = now;
+    this.slowFrames = slow ? this.slowFrames + 1 : 0;
+    if (this.slowFrames < 3) return;
+    this.slowFrames = 0;
+    this.clouds.lighten();
+  }
+
+  private readonly draw = (now: number): void => {
     requestAnimationFrame(this.draw);
-    if (this.framesLeft <= 0) return;
+    if (this.framesLeft <= 0) {
+      this.lastDrawn = now;
+      return;
+    }
+    this.watchSpeed(now);
     const loading = this.clouds.update(this.camera, this.renderer);
     this.shader.render({ renderer: this.renderer, scene: this.stage, camera: this.camera, pointClouds: this.clouds.visible() });
     this.panel.status(this.clouds.visiblePoints(), loading);

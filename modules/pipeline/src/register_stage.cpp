@@ -62,18 +62,21 @@ Json json_of(const PoseCovariance& covariance) {
 
 Json json_of(const PatchMatch& patch) {
   const auto cell = [](const Eigen::Vector2i& index) { return Json{index.x(), index.y()}; };
-  return {{"lidar_cell", cell(patch.lidar_cell)},
-          {"vision_cell", cell(patch.vision_cell)},
-          {"outcome", to_string(patch.outcome)},
-          {"num_points", patch.num_points},
-          {"num_candidates", patch.num_candidates},
-          {"num_correlated", patch.num_correlated},
-          {"num_similar", patch.num_similar},
-          {"correlation", patch.correlation},
-          {"neighbour_score", patch.neighbour_score},
-          {"score_2d_m", patch.score_2d_m},
-          {"score_3d_m", patch.score_3d_m},
-          {"vision_from_lidar", matrix_json(patch.vision_from_lidar)}};
+  return {
+      {"lidar_cell", cell(patch.lidar_cell)},
+      {"vision_cell", cell(patch.vision_cell)},
+      {"outcome", to_string(patch.outcome)},
+      {"centroid_in_vision",
+       {patch.centroid_in_vision.x(), patch.centroid_in_vision.y(), patch.centroid_in_vision.z()}},
+      {"num_points", patch.num_points},
+      {"num_candidates", patch.num_candidates},
+      {"num_correlated", patch.num_correlated},
+      {"num_similar", patch.num_similar},
+      {"correlation", patch.correlation},
+      {"neighbour_score", patch.neighbour_score},
+      {"score_2d_m", patch.score_2d_m},
+      {"score_3d_m", patch.score_3d_m},
+      {"vision_from_lidar", matrix_json(patch.vision_from_lidar)}};
 }
 
 Json json_of(const RegistrationResult& result) {
@@ -83,6 +86,10 @@ Json json_of(const RegistrationResult& result) {
   for (const PoseCandidate& candidate : result.candidates) {
     candidates.push_back({{"vision_from_lidar", matrix_json(candidate.vision_from_lidar)},
                           {"score", candidate.score}});
+  }
+  Json yaw_scores = Json::array();
+  for (const YawScore& yaw : result.yaw_scores) {
+    yaw_scores.push_back({{"yaw_rad", yaw.yaw_rad}, {"score", yaw.score}});
   }
   Json patches = Json::array();
   for (const PatchMatch& patch : result.patches) patches.push_back(json_of(patch));
@@ -96,6 +103,7 @@ Json json_of(const RegistrationResult& result) {
           {"scores", scores},
           {"method", result.method},
           {"candidates", candidates},
+          {"yaw_scores", yaw_scores},
           {"vision_scale", result.vision_scale},
           {"vision_scale_sigma", result.vision_scale_sigma},
           {"vision_scale_supported", result.vision_scale_supported}};

@@ -94,7 +94,8 @@ Expected<RegistrationResult> register_hybrid(const PreparedClouds& clouds,
                                              const RegistrationOptions& options,
                                              const RunContext& ctx) {
   ctx.report({.stage = "registration/outlines", .done = 0, .total = 3});
-  HF_TRY(std::vector<OutlinePlace> places, find_places(clouds, input, options, ctx));
+  HF_TRY(OutlinePlaces found, find_places(clouds, input, options, ctx));
+  std::vector<OutlinePlace>& places = found.places;
   Evidence evidence;
   evidence.used_prior = prefer_by_prior(places, clouds, input, options.verdict.max_peak_ratio);
   const OutlinePlace& best = places.front();
@@ -108,7 +109,7 @@ Expected<RegistrationResult> register_hybrid(const PreparedClouds& clouds,
   evidence.linear_share = clouds.lidar_maps.linear_share;
   evidence.ridge = test_ridge(clouds, best, options.outline);
 
-  RegistrationResult result;
+  RegistrationResult result{.yaw_scores = std::move(found.yaw_scores)};
   for (const OutlinePlace& place : places) {
     result.candidates.push_back({from_leveled(place.vision_from_leveled, clouds), place.score});
   }

@@ -13,13 +13,18 @@ struct OutlinePlace {
   std::size_t ground_inliers = 0;  ///< Of the ground alignment; 0 when it failed.
 };
 
+struct OutlinePlaces {
+  std::vector<OutlinePlace> places = {};  ///< Descending score.
+  std::vector<YawScore> yaw_scores = {};  ///< Of the search, before any refinement.
+};
+
 /// Outline search, refinement of each peak, ground alignment and a second refinement with roll and
-/// pitch known. Descending score.
+/// pitch known.
 /// @returns kDegenerate when there is no facade or no peak (a reason to refuse), kCancelled.
-[[nodiscard]] Expected<std::vector<OutlinePlace>> find_places(const PreparedClouds& clouds,
-                                                              const RegistrationInput& input,
-                                                              const RegistrationOptions& options,
-                                                              const RunContext& ctx);
+[[nodiscard]] Expected<OutlinePlaces> find_places(const PreparedClouds& clouds,
+                                                  const RegistrationInput& input,
+                                                  const RegistrationOptions& options,
+                                                  const RunContext& ctx);
 
 /// Largest score 3 m beside the best place over its own: 1 on a ridge, where one direction is free.
 struct RidgeTest {

@@ -43,10 +43,10 @@ void level_place(OutlinePlace& place,
 
 }  // namespace
 
-Expected<std::vector<OutlinePlace>> find_places(const PreparedClouds& clouds,
-                                                const RegistrationInput& input,
-                                                const RegistrationOptions& options,
-                                                const RunContext& ctx) {
+Expected<OutlinePlaces> find_places(const PreparedClouds& clouds,
+                                    const RegistrationInput& input,
+                                    const RegistrationOptions& options,
+                                    const RunContext& ctx) {
   const PlanarPattern pattern = make_pattern(clouds.lidar_maps, Eigen::Matrix3d::Identity());
   if (pattern.facades.empty()) {
     return fail(ErrorCode::kDegenerate,
@@ -58,15 +58,15 @@ Expected<std::vector<OutlinePlace>> find_places(const PreparedClouds& clouds,
     window.position = coarse.position;
     window.max_offset_m = options.max_offset_m;
   }
-  HF_TRY(const std::vector<PlanarPose> peaks,
+  HF_TRY(const OutlineSearch search,
          search_outlines(clouds.search_maps, pattern, window, options.outline, ctx));
-  if (peaks.empty()) {
+  if (search.peaks.empty()) {
     return fail(ErrorCode::kDegenerate,
                 "no position inside the search window brings a facade onto a roof rim; the clouds "
                 "do not overlap there");
   }
   std::vector<OutlinePlace> places;
-  for (PlanarPose peak : peaks) {
+  for (PlanarPose peak : search.peaks) {
     peak.overhang_m = 0.25;
     OutlinePlace place;
     place.planar =
@@ -83,14 +83,15 @@ Expected<std::vector<OutlinePlace>> find_places(const PreparedClouds& clouds,
   }
   std::ranges::stable_sort(places, std::ranges::greater{}, &OutlinePlace::score);
   // Peaks that were apart may climb to the same place: keep its best.
-  std::vector<OutlinePlace> distinct;
+  OutlinePlaces found{.yaw_scores = search.yaw_scores};
+  std::vector<OutlinePlace>& distinct = found.places;
   for (const OutlinePlace& place : places) {
     const bool is_new = std::ranges::none_of(distinct, [&](const OutlinePlace& other) {
       return same_peak(place.planar, other.planar, options.outline);
     });
     if (is_new) distinct.push_back(place);
   }
-  return distinct;
+  return found;
 }
 
 RidgeTest test_ridge(const PreparedClouds& clouds,

@@ -160,11 +160,11 @@ PlanarPattern make_pattern(const LidarMaps& maps, const Eigen::Matrix3d& tilt) {
   return pattern;
 }
 
-Expected<std::vector<PlanarPose>> search_outlines(const VisionMaps& vision,
-                                                  const PlanarPattern& pattern,
-                                                  const SearchWindow& window,
-                                                  const OutlineOptions& options,
-                                                  const RunContext& ctx) {
+Expected<OutlineSearch> search_outlines(const VisionMaps& vision,
+                                        const PlanarPattern& pattern,
+                                        const SearchWindow& window,
+                                        const OutlineOptions& options,
+                                        const RunContext& ctx) {
   if (pattern.facades.empty()) {
     return fail(ErrorCode::kInsufficient, "the LiDAR cloud has no facade to register on");
   }
@@ -175,12 +175,15 @@ Expected<std::vector<PlanarPose>> search_outlines(const VisionMaps& vision,
   const int num_yaws = half > 0 ? 2 * half + 1 : (window.max_yaw_rad > 0.0 ? full : 1);
   const double step = half > 0 ? options.yaw_step_rad : 2.0 * std::numbers::pi / full;
   std::vector<std::vector<PlanarPose>> per_yaw(static_cast<std::size_t>(num_yaws));
+  const auto yaw_of = [&](std::size_t k) {
+    return wrapped(window.yaw_rad + (static_cast<double>(k) - half) * step);
+  };
   try {
     const Spectra spectra = transform(vision, pattern.reach_m);
     parallel_for(ctx, per_yaw.size(), 4, [&](std::size_t begin, std::size_t end) {
       if (ctx.stopped()) return;
       for (std::size_t k = begin; k < end; ++k) {
-        const double yaw = wrapped(window.yaw_rad + (static_cast<double>(k) - half) * step);
+        const double yaw = yaw_of(k);
         const cv::Mat scores = correlate(spectra, pattern, yaw, options.free_penalty);
         per_yaw[k] = peaks_of(scores, spectra, yaw, window, pattern.reach_m, options);
       }
@@ -190,10 +193,14 @@ Expected<std::vector<PlanarPose>> search_outlines(const VisionMaps& vision,
                 fmt::format("correlating the outline maps failed: {}", error.what()));
   }
   if (ctx.stopped()) return fail(ErrorCode::kCancelled, "stopped in the outline search");
-  std::vector<PlanarPose> peaks;
-  for (const auto& some : per_yaw) peaks.insert(peaks.end(), some.begin(), some.end());
-  keep_best(peaks, static_cast<std::size_t>(options.num_peaks), options);
-  return peaks;
+  OutlineSearch search;
+  for (std::size_t k = 0; k < per_yaw.size(); ++k) {
+    const std::vector<PlanarPose>& peaks = per_yaw[k];
+    search.peaks.insert(search.peaks.end(), peaks.begin(), peaks.end());
+    search.yaw_scores.push_back({yaw_of(k), peaks.empty() ? 0.0 : peaks.front().score});
+  }
+  keep_best(search.peaks, static_cast<std::size_t>(options.num_peaks), options);
+  return search;
 }
 
 double score_of(const VisionMaps& vision,

@@ -3,6 +3,7 @@
 #include "outline_maps.hpp"
 
 #include <hybridfusion/core/error.hpp>
+#include <hybridfusion/registration/register_cross_source.hpp>
 
 #include <optional>
 #include <vector>
@@ -42,14 +43,19 @@ inline constexpr double kFreeWeight = 3.0;
 /// @param tilt  Roll and pitch of the LiDAR frame, applied before the projection to x-y.
 [[nodiscard]] PlanarPattern make_pattern(const LidarMaps& maps, const Eigen::Matrix3d& tilt);
 
+struct OutlineSearch {
+  std::vector<PlanarPose> peaks = {};     ///< In descending score, at most `num_peaks`.
+  std::vector<YawScore> yaw_scores = {};  ///< One for each heading tried.
+};
+
 /// Exhaustive search: for each heading, facade weight on rims less ground in buildings for every
-/// shift by FFT. Peaks in descending score, at most `num_peaks`.
+/// shift by FFT.
 /// @returns kInsufficient when there is nothing to correlate, kCancelled when stopped.
-[[nodiscard]] Expected<std::vector<PlanarPose>> search_outlines(const VisionMaps& vision,
-                                                                const PlanarPattern& pattern,
-                                                                const SearchWindow& window,
-                                                                const OutlineOptions& options,
-                                                                const RunContext& ctx);
+[[nodiscard]] Expected<OutlineSearch> search_outlines(const VisionMaps& vision,
+                                                      const PlanarPattern& pattern,
+                                                      const SearchWindow& window,
+                                                      const OutlineOptions& options,
+                                                      const RunContext& ctx);
 
 /// True when two poses belong to one peak of the search.
 [[nodiscard]] bool same_peak(const PlanarPose& a,

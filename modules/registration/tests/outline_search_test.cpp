@@ -6,6 +6,7 @@
 
 #include <hybridfusion/geometry/ground.hpp>
 
+#include <algorithm>
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -88,24 +89,29 @@ TEST(SearchOutlines, FindsAPlantedPoseWithUnknownHeading) {
   }
   for (auto& point : pattern.free_points) point = turn * point;
   const OutlineOptions options;
-  const auto peaks = search_outlines(
+  const auto search = search_outlines(
       block.coarse, pattern, {.max_yaw_rad = std::numbers::pi}, options, RunContext{});
-  ASSERT_TRUE(peaks) << peaks.error().message;
-  ASSERT_GE(peaks->size(), 2U);
-  const PlanarPose best = refine_pose(block.fine, pattern, peaks->front(), 1.0, options);
+  ASSERT_TRUE(search) << search.error().message;
+  const std::vector<PlanarPose>& peaks = search->peaks;
+  ASSERT_GE(peaks.size(), 2U);
+  const PlanarPose best = refine_pose(block.fine, pattern, peaks.front(), 1.0, options);
   // The pattern's centre did not move: the true position is the centre itself.
   EXPECT_LT((best.position - pattern.centre).norm(), 0.5);
   EXPECT_NEAR(std::remainder(best.yaw_rad - planted, 2.0 * std::numbers::pi), 0.0, 0.02);
-  EXPECT_LT(peaks->at(1).score, 0.8 * peaks->front().score);
+  EXPECT_LT(peaks.at(1).score, 0.8 * peaks.front().score);
+  const YawScore& top =
+      *std::ranges::max_element(search->yaw_scores, {}, [](const YawScore& y) { return y.score; });
+  EXPECT_EQ(top.yaw_rad, peaks.front().yaw_rad);
+  EXPECT_EQ(top.score, peaks.front().score);
 }
 
 TEST(SearchOutlines, AgreesWithDirectLookUp) {
   const SmallBlock block = small_block(4);
   const PlanarPattern pattern = make_pattern(block.lidar, Eigen::Matrix3d::Identity());
   const OutlineOptions options;
-  const auto peaks = search_outlines(block.coarse, pattern, {}, options, RunContext{});
-  ASSERT_TRUE(peaks) << peaks.error().message;
-  for (const PlanarPose& peak : *peaks) {
+  const auto search = search_outlines(block.coarse, pattern, {}, options, RunContext{});
+  ASSERT_TRUE(search) << search.error().message;
+  for (const PlanarPose& peak : search->peaks) {
     // Splatting the pattern and sampling the map are the same sum; FFT in single precision.
     EXPECT_NEAR(peak.score,
                 score_of(block.coarse, pattern, peak, options.free_penalty),
@@ -117,14 +123,14 @@ TEST(SearchOutlines, StaysInsideItsWindow) {
   const SmallBlock block = small_block(5);
   const PlanarPattern pattern = make_pattern(block.lidar, Eigen::Matrix3d::Identity());
   const Eigen::Vector2d away = pattern.centre + Eigen::Vector2d(15.0, 0.0);
-  const auto peaks =
+  const auto search =
       search_outlines(block.coarse,
                       pattern,
                       {.yaw_rad = 0.5, .max_yaw_rad = 0.1, .position = away, .max_offset_m = 4.0},
                       OutlineOptions{},
                       RunContext{});
-  ASSERT_TRUE(peaks) << peaks.error().message;
-  for (const PlanarPose& peak : *peaks) {
+  ASSERT_TRUE(search) << search.error().message;
+  for (const PlanarPose& peak : search->peaks) {
     EXPECT_LE((peak.position - away).norm(), 4.0);
     EXPECT_NEAR(peak.yaw_rad, 0.5, 0.12);  // whole steps may round the range up
   }
@@ -132,9 +138,9 @@ TEST(SearchOutlines, StaysInsideItsWindow) {
 
 TEST(SearchOutlines, WithoutFacadesIsRefused) {
   const SmallBlock block = small_block(6);
-  const auto peaks =
+  const auto search =
       search_outlines(block.coarse, PlanarPattern{}, {}, OutlineOptions{}, RunContext{});
-  EXPECT_EQ(peaks.error().code, ErrorCode::kInsufficient);
+  EXPECT_EQ(search.error().code, ErrorCode::kInsufficient);
 }
 
 TEST(MakeLidarMaps, OrientsFacadesToTheStreet) {

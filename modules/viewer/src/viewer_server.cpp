@@ -119,6 +119,12 @@ Expected<ViewerServer> ViewerServer::open(const std::filesystem::path& root,
   server.set_keep_alive_max_count(1000);
   server.set_payload_max_length(0);
   server.set_tcp_nodelay(true);
+  server.set_socket_options([](socket_t socket) {
+    // The library's default lets another program listen on the same port and take half the
+    // requests.
+    const int yes = 1;
+    ::setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof(yes));
+  });
   server.set_default_headers({{"X-Content-Type-Options", "nosniff"},
                               {"Referrer-Policy", "no-referrer"},
                               {"Cross-Origin-Resource-Policy", "same-origin"},

@@ -170,11 +170,9 @@ TEST(Octree, InnerNodesAreThinnedAndLeavesAreSmall) {
       const Eigen::Vector3f& point = cloud.points[static_cast<std::size_t>(stored.distance_m)];
       const Eigen::Array3d cell =
           ((point.cast<double>() - node.min_m).array() * (16.0 / node.side_m)).floor();
-      EXPECT_EQ(
-          ++cells[{
-              static_cast<int>(cell[0]), static_cast<int>(cell[1]), static_cast<int>(cell[2])}],
-          1)
-          << node.name;
+      const std::array<int, 3> key = {
+          static_cast<int>(cell[0]), static_cast<int>(cell[1]), static_cast<int>(cell[2])};
+      EXPECT_EQ(++cells[key], 1) << node.name;
     }
   }
 }

@@ -10,8 +10,8 @@ struct HttpAnswer {
   std::string body = {};
 };
 
-/// Sends these very bytes to the port and reads until the server closes: no client library that
-/// would tidy up the path first.
-[[nodiscard]] HttpAnswer ask(int port, const std::string& bytes);
+/// Sends these very bytes to the port and reads until the server closes or says nothing for so
+/// long: no client library that would tidy up the path first.
+[[nodiscard]] HttpAnswer ask(int port, const std::string& bytes, double patience_s = 10.0);
 
 }  // namespace hybridfusion::testing

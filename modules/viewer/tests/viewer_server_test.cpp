@@ -174,7 +174,7 @@ TEST_F(ViewerServerTest, GarbageIsAnsweredOrClosedAndTheServerGoesOn) {
                                    std::string(20000, 'A') + "\r\n\r\n",
                                    "GET / HTTP/1.1\r\n" + std::string(20000, 'B') + ": x\r\n\r\n",
                                    std::string("\x16\x03\x01\x02\x00\x01\x00", 7) + "\r\n\r\n"}) {
-    EXPECT_THAT(testing::ask(server_->port(), bytes).body, Not(HasSubstr("line")));
+    EXPECT_THAT(testing::ask(server_->port(), bytes, 0.5).body, Not(HasSubstr("line")));
   }
   EXPECT_EQ(ask("GET /").status, 200);
 }

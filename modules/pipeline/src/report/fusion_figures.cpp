@@ -170,6 +170,11 @@ std::vector<Figure> fusion_figures(const ReportData& data) {
   if (data.registered() && !data.vision.empty() && !data.lidar.empty()) {
     figures.push_back(picture_figure(data, true));
   }
+  return figures;
+}
+
+std::vector<Figure> metric_figures(const ReportData& data) {
+  std::vector<Figure> figures;
   for (auto figure : {supplement_figure(data.metrics),
                       boundary_figure(data.metrics),
                       baseline_figure(data.metrics)}) {

@@ -5,6 +5,8 @@
 #include <hybridfusion/io/atomic_file.hpp>
 #include <hybridfusion/pipeline/stages.hpp>
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 namespace hybridfusion {
@@ -18,7 +20,7 @@ struct Chapter {
 
 const std::vector<Chapter>& chapters() {
   static const std::vector<Chapter> kChapters = {
-      {"result", "Result", {fusion_figures, overlap_figures}},
+      {"result", "Result", {fusion_figures, metric_figures, overlap_figures}},
       {"vision", "Photos", {photo_figures, camera_figures}},
       {"lidar", "LiDAR and IMU", {lidar_figures}},
       {"registration", "Registration", {registration_figures, section_figures, patch_figures}}};
@@ -41,9 +43,10 @@ std::vector<Figure> figures_of(const Chapter& chapter,
   return figures;
 }
 
-std::string html_of(const Figure& figure) {
+std::string html_of(const Figure& figure, const Workspace& workspace) {
   std::string sources;
   for (const std::string_view source : figure.sources) {
+    if (!workspace.has(source)) continue;  // of a stage that did not run
     sources += fmt::format("{}<code>{}</code>", sources.empty() ? "" : ", ", escaped(source));
   }
   return fmt::format(
@@ -114,9 +117,7 @@ std::string cost_html(const RunRecord& record) {
 std::string numbers_html(const RunRecord& record) {
   std::string html;
   for (const std::string_view stage : kStages) {
-    const auto found = record.stages.find(std::string(stage));
-    if (found == record.stages.end()) continue;
-    const Json result = Json::parse(found->second.result_json).value("result", Json());
+    const Json result = stage_result(record, stage);
     if (!result.is_object()) continue;
     html += fmt::format("<details><summary>{}</summary>{}</details>\n", stage, html_table(result));
   }
@@ -128,12 +129,7 @@ std::string numbers_html(const RunRecord& record) {
       workspace_file::kRun);
 }
 
-}  // namespace
-
-Expected<void> write_report(const Project& project, const RunContext& ctx) {
-  const Workspace& workspace = project.workspace;
-  if (auto folder = workspace.make_folder("report"); !folder) return folder;
-  const ReportData data = read_report_data(workspace, ctx);
+std::string page_of(const ReportData& data, const Workspace& workspace, const RunContext& ctx) {
   std::string contents;
   std::string body;
   for (const Chapter& chapter : chapters()) {
@@ -141,14 +137,32 @@ Expected<void> write_report(const Project& project, const RunContext& ctx) {
     if (figures.empty()) continue;
     contents += fmt::format("<a href='#{}'>{}</a> ", chapter.id, chapter.title);
     body += fmt::format("<section id={}><h2>{}</h2>\n", chapter.id, chapter.title);
-    for (const Figure& figure : figures) body += html_of(figure);
+    for (const Figure& figure : figures) body += html_of(figure, workspace);
     body += "</section>\n";
   }
+  if (!body.empty())
+    contents += "<a href='#cost'>Time and memory</a> <a href='#numbers'>All numbers</a>";
+  return html_head("HybridFusion report: " + data.name) + verdict_html(data) + "<nav>" + contents +
+         "</nav>\n" + body + cost_html(data.record) + numbers_html(data.record) +
+         fmt::format("<footer>hybridfusion {}</footer>\n</body></html>\n", program_version());
+}
+
+}  // namespace
+
+Expected<void> write_report(const Project& project, const RunContext& ctx) {
+  const Workspace& workspace = project.workspace;
+  if (auto folder = workspace.make_folder("report"); !folder) return folder;
+  const ReportData data = read_report_data(workspace, ctx);
+  std::string html;
+  try {
+    html = page_of(data, workspace, ctx);
+  } catch (const Json::exception& error) {
+    return fail(ErrorCode::kParse,
+                fmt::format("{}: {}; run the stages again",
+                            workspace.path(workspace_file::kRun).string(),
+                            error.what()));
+  }
   if (ctx.stopped()) return fail(ErrorCode::kCancelled, "stopped while drawing the report");
-  std::string html = html_head("HybridFusion report: " + data.name);
-  html += verdict_html(data) + "<nav>" + contents + "</nav>\n" + body + cost_html(data.record) +
-          numbers_html(data.record);
-  html += fmt::format("<footer>hybridfusion {}</footer>\n</body></html>\n", program_version());
   return write_file_atomically(workspace.path(workspace_file::kReport), html);
 }
 

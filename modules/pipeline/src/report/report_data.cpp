@@ -28,12 +28,6 @@ T or_empty(Expected<T> value, const RunContext& ctx) {
   return {};
 }
 
-Json result_of(const RunRecord& record, const std::string& stage) {
-  const auto found = record.stages.find(stage);
-  if (found == record.stages.end()) return nullptr;
-  return Json::parse(found->second.result_json).value("result", Json());
-}
-
 Expected<double> number(std::string_view text,
                         const std::filesystem::path& path,
                         std::size_t line) {
@@ -46,6 +40,13 @@ Expected<double> number(std::string_view text,
 }
 
 }  // namespace
+
+Json stage_result(const RunRecord& record, std::string_view stage) {
+  const auto found = record.stages.find(std::string(stage));
+  if (found == record.stages.end()) return nullptr;
+  const Json stored = Json::parse(found->second.result_json, nullptr, /*allow_exceptions=*/false);
+  return stored.is_object() && stored.contains("result") ? stored["result"] : Json();
+}
 
 Expected<std::vector<QualityRow>> read_quality_csv(const std::filesystem::path& path) {
   HF_TRY(const std::string text, read_text_file(path, kMaxCsvBytes));
@@ -84,8 +85,8 @@ ReportData read_report_data(const Workspace& workspace, const RunContext& ctx) {
   ReportData data{.record = RunRecord::load(workspace.path(workspace_file::kRun))};
   std::error_code code;
   data.name = std::filesystem::weakly_canonical(workspace.root(), code).filename().string();
-  data.reconstruct = result_of(data.record, "reconstruct");
-  data.map = result_of(data.record, "map");
+  data.reconstruct = stage_result(data.record, "reconstruct");
+  data.map = stage_result(data.record, "map");
   const auto has = [&](std::string_view file) { return workspace.has(file); };
   const auto json = [&](std::string_view file) {
     return has(file) ? or_empty(read_json(workspace.path(file)), ctx) : Json();
@@ -94,7 +95,12 @@ ReportData read_report_data(const Workspace& workspace, const RunContext& ctx) {
   data.metrics = json(workspace_file::kMetrics);
   data.gnss = json(workspace_file::kGnss);
   if (data.registration.is_object()) {
-    data.pose = or_empty(read_registration(workspace.path(workspace_file::kRegistration)), ctx);
+    auto pose = read_registration(workspace.path(workspace_file::kRegistration));
+    if (pose) {
+      data.pose = *std::move(pose);
+    } else {
+      ctx.warn("the report goes on without it: " + pose.error().message);
+    }
   }
   if (has(workspace_file::kPositions)) {
     data.positions = or_empty(read_positions_csv(workspace.path(workspace_file::kPositions)), ctx);

@@ -49,6 +49,9 @@ struct ReportData {
   [[nodiscard]] bool registered() const { return pose && pose->ok; }
 };
 
+/// What a stage reported of itself in run.json; null when it did not run or wrote something else.
+[[nodiscard]] Json stage_result(const RunRecord& record, std::string_view stage);
+
 /// Reads what is there; a damaged file counts as absent, with a warning, so that the report tells
 /// at least the rest.
 [[nodiscard]] ReportData read_report_data(const Workspace& workspace, const RunContext& ctx);
@@ -70,6 +73,7 @@ struct Figure {
 [[nodiscard]] std::vector<Figure> patch_figures(const ReportData& data);
 [[nodiscard]] std::vector<Figure> section_figures(const ReportData& data);
 [[nodiscard]] std::vector<Figure> fusion_figures(const ReportData& data);
+[[nodiscard]] std::vector<Figure> metric_figures(const ReportData& data);
 [[nodiscard]] std::vector<Figure> overlap_figures(const ReportData& data);
 
 }  // namespace hybridfusion

@@ -237,7 +237,7 @@ std::optional<Figure> residual_figure(const ReportData& data) {
     if (sigma > 0.0) chart.band(-sigma, sigma, ink::kVision);
     chart.dots(dots, ink::kVision, 2.6);
     body += chart.svg();
-    rms += fmt::format("{}{} {:.2f} m",
+    rms += fmt::format("{}{} {:.3f} m",
                        axis == 0 ? "" : ", ",
                        kAxes[static_cast<std::size_t>(axis)],
                        std::sqrt(sum / static_cast<double>(gaps_m.size())));
@@ -247,7 +247,7 @@ std::optional<Figure> residual_figure(const ReportData& data) {
                 .body = std::move(body),
                 .caption = fmt::format(
                     "Estimated less measured position of each photo; rms {}. Bands: one standard "
-                    "deviation as estimated from the residuals, {:.2f} m horizontal and {:.2f} m "
+                    "deviation as estimated from the residuals, {:.3f} m horizontal and {:.3f} m "
                     "vertical.",
                     rms,
                     sigma_h,

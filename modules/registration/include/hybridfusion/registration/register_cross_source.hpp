@@ -43,6 +43,12 @@ struct PoseCandidate {
   double score = 0.0;  ///< Facade columns on rims less ground columns inside buildings.
 };
 
+/// The best score of the outline search at one heading.
+struct YawScore {
+  double yaw_rad = 0.0;  ///< Of the LiDAR frame in the vision frame, -pi..pi.
+  double score = 0.0;    ///< 0 when no shift brings a facade onto a rim.
+};
+
 struct RegistrationResult {
   RegistrationStatus status = RegistrationStatus::kRefused;
   std::string reason = {};  ///< Why it was refused, or what lowers the confidence.
@@ -63,6 +69,7 @@ struct RegistrationResult {
   Sim3 lidar_from_vision_similarity = {};
   std::vector<RegistrationScore> scores = {};
   std::vector<PoseCandidate> candidates = {};  ///< Descending score.
+  std::vector<YawScore> yaw_scores = {};       ///< Of the outline search, in its order.
   std::vector<PatchMatch> patches = {};        ///< Of the published chain.
 
   /// The value of a score, if present.
