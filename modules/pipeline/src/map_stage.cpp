@@ -1,11 +1,11 @@
 #include "json_text.hpp"
+#include "recording_setup.hpp"
 #include "stage_runner.hpp"
 #include "workspace_data.hpp"
 
 #include <hybridfusion/io/atomic_file.hpp>
 #include <hybridfusion/io/ply.hpp>
 #include <hybridfusion/io/scan_source.hpp>
-#include <hybridfusion/io/sensors_yaml.hpp>
 #include <hybridfusion/io/tum.hpp>
 #include <hybridfusion/lidar/gnss_alignment.hpp>
 #include <hybridfusion/lidar/mapper.hpp>
@@ -16,38 +16,11 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
-#include <system_error>
 
 #include <fmt/format.h>
 
 namespace hybridfusion {
 namespace {
-
-/// An option that is set wins over sensors.yaml, which wins over detection.
-RecordingOptions recording_options(const RecordingOptions& options, const SensorConfig& sensors) {
-  RecordingOptions result = options;
-  const auto fill = [](std::string& option, const std::optional<std::string>& value) {
-    if (option.empty() && value) option = *value;
-  };
-  fill(result.lidar_topic, sensors.lidar_topic);
-  fill(result.imu_topic, sensors.imu_topic);
-  fill(result.gnss_topic, sensors.gnss_topic);
-  fill(result.point_time_field, sensors.point_time_field);
-  fill(result.point_time_unit, sensors.point_time_unit);
-  return result;
-}
-
-LidarRig rig_of(const SensorConfig& sensors) {
-  LidarRig rig;
-  rig.imu_from_lidar = sensors.imu_from_lidar.value_or(rig.imu_from_lidar);
-  rig.gnss_antenna_in_imu = sensors.gnss_antenna_in_imu.value_or(rig.gnss_antenna_in_imu);
-  ImuNoise& noise = rig.imu_noise;
-  noise.gyro_noise_density = sensors.gyro_noise_density.value_or(noise.gyro_noise_density);
-  noise.accel_noise_density = sensors.accel_noise_density.value_or(noise.accel_noise_density);
-  noise.gyro_bias_walk = sensors.gyro_bias_walk.value_or(noise.gyro_bias_walk);
-  noise.accel_bias_walk = sensors.accel_bias_walk.value_or(noise.accel_bias_walk);
-  return rig;
-}
 
 std::int64_t expected_scans(const RecordingSummary& summary) {
   for (const RecordingTopic& topic : summary.topics) {
@@ -215,29 +188,26 @@ Expected<Json> place_by_gnss(const Workspace& workspace,
   return json;
 }
 
-struct MapInputs {
-  std::filesystem::path bag = {};
-  RecordingOptions recording = {};
-  LidarRig rig = {};
-};
-
-Expected<StageResult> map_into(Project& project, const MapInputs& inputs, const RunContext& ctx) {
+Expected<StageResult> map_into(Project& project,
+                               const std::filesystem::path& bag,
+                               const RecordingSetup& setup,
+                               const RunContext& ctx) {
   const Workspace& workspace = project.workspace;
   const LidarStageOptions& options = project.options.lidar;
-  HF_TRY(const std::unique_ptr<ScanSource> source, open_recording(inputs.bag, inputs.recording));
-  HF_TRY(const MappingResult mapping, map_recording(*source, options.odometry, inputs.rig, ctx));
+  HF_TRY(const std::unique_ptr<ScanSource> source, open_recording(bag, setup.recording));
+  HF_TRY(const MappingResult mapping, map_recording(*source, setup.odometry, setup.rig, ctx));
   const RecordingSummary recording = source->summary();
   for (const std::string& warning : recording.warnings) {
-    ctx.warn(fmt::format("{}: {}", inputs.bag.string(), warning));
+    ctx.warn(fmt::format("{}: {}", bag.string(), warning));
   }
   for (const std::string& warning : mapping.warnings) ctx.warn(warning);
   if (recording.truncated) {
-    ctx.warn(fmt::format("{}: the recording is cut off; what precedes the cut is used",
-                         inputs.bag.string()));
+    ctx.warn(
+        fmt::format("{}: the recording is cut off; what precedes the cut is used", bag.string()));
   }
   if (auto made = workspace.make_folder("lidar"); !made) return std::unexpected(made.error());
   HF_TRY(const Json gnss,
-         place_by_gnss(workspace, mapping, inputs.rig.gnss_antenna_in_imu, options.gnss, ctx));
+         place_by_gnss(workspace, mapping, setup.rig.gnss_antenna_in_imu, options.gnss, ctx));
   if (auto written = write_map_files(workspace, mapping); !written) {
     return std::unexpected(written.error());
   }
@@ -250,14 +220,7 @@ Expected<StageOutcome> map_stage(Project& project,
                                  const std::filesystem::path& bag,
                                  const std::optional<std::filesystem::path>& sensors,
                                  const RunContext& ctx) {
-  std::optional<std::filesystem::path> sensors_path = sensors;
-  std::error_code code;
-  const std::filesystem::path beside = bag.parent_path() / "sensors.yaml";
-  if (!sensors && std::filesystem::is_regular_file(beside, code)) sensors_path = beside;
-  SensorConfig config;
-  if (sensors_path) {
-    HF_TRY(config, read_sensors_yaml(*sensors_path));
-  }
+  HF_TRY(const RecordingSetup setup, recording_setup(project.options.lidar, bag, sensors));
   StagePlan plan{.stage = "map",
                  .option_groups = {"lidar"},
                  .inputs = {bag},
@@ -265,14 +228,11 @@ Expected<StageOutcome> map_stage(Project& project,
                              workspace_file::kMap,
                              workspace_file::kQuality,
                              workspace_file::kGnss}};
-  if (sensors_path) plan.inputs.push_back(*sensors_path);
+  if (setup.sensors_path) plan.inputs.push_back(*setup.sensors_path);
   if (project.workspace.has(workspace_file::kOrigin)) {
     plan.inputs.push_back(project.workspace.path(workspace_file::kOrigin));
   }
-  const MapInputs inputs{.bag = bag,
-                         .recording = recording_options(project.options.lidar.recording, config),
-                         .rig = rig_of(config)};
-  return run_stage(project, plan, ctx, [&] { return map_into(project, inputs, ctx); });
+  return run_stage(project, plan, ctx, [&] { return map_into(project, bag, setup, ctx); });
 }
 
 }  // namespace hybridfusion

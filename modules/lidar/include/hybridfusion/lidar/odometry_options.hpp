@@ -164,7 +164,7 @@ struct OptionFields<LidarFilterOptions> {
 
 /// Map that scans are matched against.
 struct LocalMapOptions {
-  double voxel_m = 0.5;
+  double voxel_m = 0.3;
   double cube_side_m = 1000.0;
 };
 template <>
