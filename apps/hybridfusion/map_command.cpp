@@ -13,6 +13,7 @@ struct MapArguments {
   std::string bag = {};
   std::string output = {};
   std::string sensors = {};
+  bool calibrate = false;
 };
 
 }  // namespace
@@ -27,6 +28,10 @@ void add_map_command(CLI::App& app, Command& chosen) {
   command->add_option("--output", arguments->output, "Workspace folder")->required();
   command->add_option(
       "--sensors", arguments->sensors, "sensors.yaml (default: the one beside the bag)");
+  command->add_flag("--calibrate",
+                    arguments->calibrate,
+                    "Do not map: find imu_from_lidar and the time offset from a drive with curves "
+                    "and changes of speed, write them to OUTPUT/lidar/sensors.yaml");
   command->footer(help_footer("hybridfusion map --bag street.bag --output result/",
                               "BAG: PointCloud2 or Livox CustomMsg, Imu, NavSatFix; sensors.yaml",
                               "OUTPUT/lidar/trajectory.tum, map.ply, quality.csv, gnss.json (with "
@@ -36,7 +41,8 @@ void add_map_command(CLI::App& app, Command& chosen) {
       std::optional<std::filesystem::path> sensors;
       if (!arguments->sensors.empty()) sensors = arguments->sensors;
       return run_stages(session, arguments->output, {}, {[&](Project& project) {
-                          return map_stage(project, arguments->bag, sensors, session.context);
+                          const auto stage = arguments->calibrate ? calibrate_stage : map_stage;
+                          return stage(project, arguments->bag, sensors, session.context);
                         }});
     };
   });

@@ -175,12 +175,18 @@ Expected<void> judge_map(const PointCloud& map,
 }  // namespace
 
 nlohmann::json to_json(const Figures& f) {
-  return {{"num_scans", f.num_scans},         {"num_flagged", f.num_flagged},
-          {"points_per_scan", f.points_per_scan}, {"ate_m", f.ate_m},
-          {"ate_max_m", f.ate_max_m},         {"rpe_1_s_m", f.rpe_1_s_m},
-          {"rpe_50_m_m", f.rpe_50_m_m},       {"startup_m", f.startup_m},
-          {"cpu_ms_median", f.cpu_ms_median}, {"cpu_ms_p95", f.cpu_ms_p95},
-          {"memory_mib", f.memory_mib},       {"map_median_m", f.map_median_m},
+  return {{"num_scans", f.num_scans},
+          {"num_flagged", f.num_flagged},
+          {"points_per_scan", f.points_per_scan},
+          {"ate_m", f.ate_m},
+          {"ate_max_m", f.ate_max_m},
+          {"rpe_1_s_m", f.rpe_1_s_m},
+          {"rpe_50_m_m", f.rpe_50_m_m},
+          {"startup_m", f.startup_m},
+          {"cpu_ms_median", f.cpu_ms_median},
+          {"cpu_ms_p95", f.cpu_ms_p95},
+          {"memory_mib", f.memory_mib},
+          {"map_median_m", f.map_median_m},
           {"map_p95_m", f.map_p95_m}};
 }
 
@@ -225,8 +231,7 @@ Expected<Figures> run_variant(const Variant& variant, const fs::path& folder) {
   figures.rpe_50_m_m = errors.over_50_m.translation_rmse_m;
   figures.startup_m = startup_error_m(truth, run.trajectory, errors.truth_from_map);
   if (!run.map.empty()) {
-    auto judged =
-        judge_map(run.map, errors.truth_from_map, folder / "truth" / "mesh.ply", figures);
+    auto judged = judge_map(run.map, errors.truth_from_map, folder / "truth" / "mesh.ply", figures);
     if (!judged) return std::unexpected(judged.error());
   }
   return figures;

@@ -76,7 +76,8 @@ nlohmann::json table_json(const std::vector<Row>& rows) {
     entry["drive"] = row.kind->name;
     entry["seed"] = row.seed;
     entry["run"] = row.variant;
-    entry["goal_ate_m"] = row.offline ? row.kind->goals.offline_ate_m : row.kind->goals.filter_ate_m;
+    entry["goal_ate_m"] =
+        row.offline ? row.kind->goals.offline_ate_m : row.kind->goals.filter_ate_m;
     entry["goal_startup_m"] = row.kind->goals.startup_m;
     entry["fast_lio_ate_m"] = row.kind->fast_lio.ate_m;
     entry["fast_lio_cpu_ms_median"] = row.kind->fast_lio.cpu_ms_median;

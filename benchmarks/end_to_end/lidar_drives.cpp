@@ -71,7 +71,8 @@ Expected<Figures> run_apart(const Arguments& arguments,
   const std::string self = fs::read_symlink("/proc/self/exe");
   std::string command =
       fmt::format("'{}' --child '{}' --runs {}", self, folder.string(), variant.name);
-  for (const std::string& setting : arguments.settings) command += fmt::format(" --set '{}'", setting);
+  for (const std::string& setting : arguments.settings)
+    command += fmt::format(" --set '{}'", setting);
   FILE* pipe = popen(command.c_str(), "r");
   if (pipe == nullptr) return fail(ErrorCode::kIo, "cannot start " + command);
   std::string text;

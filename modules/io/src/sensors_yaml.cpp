@@ -61,6 +61,16 @@ using Reader = std::function<std::string(const YAML::Node&, SensorConfig&)>;
   return {};
 }
 
+[[nodiscard]] std::string read_time_offset(const YAML::Node& node, SensorConfig& config) {
+  const auto value = node.as<double>();
+  constexpr double kMaxOffset_s = 10.0;
+  if (!(std::abs(value) <= kMaxOffset_s)) {
+    return fmt::format("{} is outside [-{}, {}] s", value, kMaxOffset_s, kMaxOffset_s);
+  }
+  config.imu_time_offset_s = value;
+  return {};
+}
+
 [[nodiscard]] std::string read_antenna(const YAML::Node& node, SensorConfig& config) {
   const auto numbers = node.as<std::vector<double>>();
   if (numbers.size() != 3) return fmt::format("{} numbers instead of 3", numbers.size());
@@ -80,6 +90,7 @@ using Reader = std::function<std::string(const YAML::Node&, SensorConfig&)>;
       {"point_time_field", text(&T::point_time_field)},
       {"point_time_unit", read_unit},
       {"imu_from_lidar", read_imu_from_lidar},
+      {"imu_time_offset_s", read_time_offset},
       {"gnss_antenna_in_imu", read_antenna},
       {"gyro_noise_density", density(&T::gyro_noise_density, 10.0)},
       {"accel_noise_density", density(&T::accel_noise_density, 100.0)},
@@ -153,6 +164,37 @@ Expected<SensorConfig> read_sensors_yaml(const std::filesystem::path& path) {
                             error.msg));
   }
   return config;
+}
+
+std::string to_yaml(const SensorConfig& config) {
+  YAML::Emitter out;
+  out.SetDoublePrecision(12);
+  const auto put = [&](const char* key, const auto& value) {
+    if (value) out << YAML::Key << key << YAML::Value << *value;
+  };
+  const auto put_numbers = [&](const char* key, std::vector<double> numbers) {
+    out << YAML::Key << key << YAML::Value << YAML::Flow << std::move(numbers);
+  };
+  out << YAML::BeginMap;
+  put("lidar_topic", config.lidar_topic);
+  put("imu_topic", config.imu_topic);
+  put("gnss_topic", config.gnss_topic);
+  put("point_time_field", config.point_time_field);
+  put("point_time_unit", config.point_time_unit);
+  if (config.imu_from_lidar) {
+    const Eigen::Matrix<double, 4, 4, Eigen::RowMajor> matrix = config.imu_from_lidar->matrix();
+    put_numbers("imu_from_lidar", {matrix.data(), matrix.data() + matrix.size()});
+  }
+  put("imu_time_offset_s", config.imu_time_offset_s);
+  if (const auto& arm = config.gnss_antenna_in_imu) {
+    put_numbers("gnss_antenna_in_imu", {arm->x(), arm->y(), arm->z()});
+  }
+  put("gyro_noise_density", config.gyro_noise_density);
+  put("accel_noise_density", config.accel_noise_density);
+  put("gyro_bias_walk", config.gyro_bias_walk);
+  put("accel_bias_walk", config.accel_bias_walk);
+  out << YAML::EndMap;
+  return std::string(out.c_str()) + "\n";
 }
 
 }  // namespace hybridfusion

@@ -35,6 +35,7 @@ class ImuBuffer {
   [[nodiscard]] std::size_t num_gaps() const { return num_gaps_; }
   /// What is added to stamps since the clock stepped back.
   [[nodiscard]] Timestamp shift() const { return shift_; }
+  [[nodiscard]] double typical_interval_s() const { return typical_interval_s_; }
   /// Longest interval that is not a gap: five typical ones, at least 30 ms.
   [[nodiscard]] double gap_s() const;
 

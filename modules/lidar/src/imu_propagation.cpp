@@ -7,7 +7,6 @@ namespace {
 // memory, as densities.
 constexpr double kBridgedGyroDensity = 0.2;   // rad/s/sqrt(Hz)
 constexpr double kBridgedAccelDensity = 2.0;  // m/s^2/sqrt(Hz)
-constexpr double kSaturatedFactor = 30.0;
 
 struct MidPoint {
   Eigen::Vector3d rate;           // angular velocity without bias
@@ -79,7 +78,6 @@ void propagate(const ImuStep& step, const ImuNoise& noise, StateEstimate& estima
   const ErrorMatrix f = propagation_jacobian(estimate.state, step);
   double gyro = noise.gyro_noise_density;
   double accel = noise.accel_noise_density;
-  if (step.saturated) gyro *= kSaturatedFactor, accel *= kSaturatedFactor;
   if (step.bridged) gyro = kBridgedGyroDensity, accel = kBridgedAccelDensity;
 
   ErrorMatrix p = f * estimate.covariance * f.transpose();

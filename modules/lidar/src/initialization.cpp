@@ -74,10 +74,15 @@ bool is_standstill(const ImuMean& mean, const LidarInitOptions& options, const I
   if (mean.num_samples < 10) return false;
   // White noise of a density seen at the sample rate; the rate cannot exceed a few hundred hertz.
   constexpr double kSqrtHalfRate = 15.0;
+  // Densities may be set high to trust the IMU less; what moves more than this does not stand.
+  constexpr double kNoisiestGyro_radps = 0.05;
+  constexpr double kNoisiestAccel_mps2 = 0.8;
+  const double gyro_noise = 3.0 * kSqrtHalfRate * noise.gyro_noise_density;
+  const double accel_noise = 3.0 * kSqrtHalfRate * noise.accel_noise_density;
   const double max_gyro =
-      std::max(options.max_gyro_std_radps, 3.0 * kSqrtHalfRate * noise.gyro_noise_density);
+      std::max(options.max_gyro_std_radps, std::min(gyro_noise, kNoisiestGyro_radps));
   const double max_accel =
-      std::max(options.max_accel_std_mps2, 3.0 * kSqrtHalfRate * noise.accel_noise_density);
+      std::max(options.max_accel_std_mps2, std::min(accel_noise, kNoisiestAccel_mps2));
   constexpr double kMaxBias_radps = 0.1;
   return mean.gyro_std_radps <= max_gyro && mean.accel_std_mps2 <= max_accel &&
          mean.angular_velocity_radps.norm() <= kMaxBias_radps;
@@ -103,14 +108,16 @@ StateEstimate standstill_state(const ImuMean& mean,
   h.block<3, 3>(0, err::kAccelBias).setIdentity();
   h.block<3, 2>(0, err::kGravity) =
       -imu_from_map * s2_plus_jacobian(out.state.gravity_in_map, Eigen::Vector2d::Zero());
-  const Eigen::Vector3d innovation = mean.specific_force_mps2 - out.state.accel_bias +
-                                     imu_from_map * out.state.gravity_in_map;
+  const Eigen::Vector3d innovation =
+      mean.specific_force_mps2 - out.state.accel_bias + imu_from_map * out.state.gravity_in_map;
   const Eigen::Matrix3d spread =
       h * out.covariance * h.transpose() + force_sigma * force_sigma * Eigen::Matrix3d::Identity();
   const Eigen::Matrix<double, err::kSize, 3> gain =
       out.covariance * h.transpose() * spread.inverse();
-  out.state = plus(out.state, gain * innovation);
-  const ErrorMatrix reduced = out.covariance - gain * h * out.covariance;
+  const ErrorVector change = gain * innovation;
+  const ErrorMatrix j = transport(out.state, change);
+  const ErrorMatrix reduced = j * (out.covariance - gain * h * out.covariance) * j.transpose();
+  out.state = plus(out.state, change);
   out.covariance = 0.5 * (reduced + reduced.transpose());
   return out;
 }

@@ -8,6 +8,8 @@
 
 namespace hybridfusion {
 
+inline constexpr double kStandardGravity_mps2 = 9.80665;
+
 /// Averages of the IMU over a time window.
 struct ImuMean {
   std::size_t num_samples = 0;

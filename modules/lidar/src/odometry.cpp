@@ -1,6 +1,7 @@
 #include "deskew.hpp"
 #include "imu_buffer.hpp"
 #include "initialization.hpp"
+#include "rig_check.hpp"
 #include "scan_filter.hpp"
 
 #include <hybridfusion/lidar/odometry.hpp>
@@ -15,7 +16,6 @@
 namespace hybridfusion {
 namespace {
 
-constexpr double kStandardGravity_mps2 = 9.80665;
 // Spans that no scan has: such point times are not times.
 constexpr double kMaxScan_s = 0.6;
 constexpr double kMinScanShare = 0.05;
@@ -38,6 +38,7 @@ struct LidarOdometry::Impl {
   ImuBuffer imu = {};
   std::deque<PreparedScan> waiting = {};
   std::optional<ScanFilter> filter = {};
+  RigCheck rig_check = {};
   std::vector<ScanEstimate> done = {};
   OdometrySummary summary = {};
   Timestamp last_end{};
@@ -201,6 +202,7 @@ void LidarOdometry::Impl::process_front() {
   PreparedScan scan = std::move(waiting.front());
   waiting.pop_front();
   done.push_back(filter->process(scan, imu));
+  rig_check.add(done.back());
   const std::uint32_t flags = done.back().quality.flags;
   ++summary.num_scans;
   summary.num_map_points = filter->map().size();
@@ -280,6 +282,18 @@ Expected<void> LidarOdometry::finish() {
     return fail(ErrorCode::kInsufficient, "the recording has no LiDAR scan");
   }
   impl_->drain(true);
+  constexpr double kSlowImu_hz = 50.0;
+  const double interval_s = impl_->imu.typical_interval_s();
+  if (interval_s * kSlowImu_hz > 1.0) {
+    impl_->summary.warnings.push_back(
+        fmt::format("the IMU delivers only {:.0f} samples a second: turns within a scan are not "
+                    "known; 100 or more are needed for full accuracy",
+                    1.0 / interval_s));
+  }
+  if (!impl_->options.filter.estimate_extrinsic) {
+    const auto warnings = impl_->rig_check.warnings();
+    impl_->summary.warnings.insert(impl_->summary.warnings.end(), warnings.begin(), warnings.end());
+  }
   return {};
 }
 

@@ -50,8 +50,10 @@ ScanFilter::ScanFilter(const OdometryOptions& options,
 }
 
 ImuStep ScanFilter::bridged(ImuStep step) const {
-  // Without an IMU the motion of the last scan goes on: constant velocity and turn rate.
-  if (step.held) {
+  // Without an IMU, or with one that stands at its limit, the motion of the last scan goes on:
+  // constant velocity and turn rate.
+  if (step.held || step.saturated) {
+    step.bridged = true;
     const NavState& state = estimate_.state;
     step.angular_velocity_radps = rate_radps_ + state.gyro_bias;
     step.specific_force_mps2 =
@@ -65,8 +67,8 @@ void ScanFilter::predict(const ImuBuffer& imu, ScanEstimate& scan) {
     const ImuStep step = bridged(sample);
     integrate(step, estimate_.state.gyro_bias, scan.since_last);
     propagate(step, noise_, estimate_);
-    if (step.bridged) scan.quality.flags |= bit(ScanFlag::kImuGap);
-    if (step.saturated) scan.quality.flags |= bit(ScanFlag::kSaturated);
+    if (sample.bridged) scan.quality.flags |= bit(ScanFlag::kImuGap);
+    if (sample.saturated) scan.quality.flags |= bit(ScanFlag::kSaturated);
   }
   time_ = scan.time;
 }

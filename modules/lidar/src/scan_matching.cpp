@@ -11,11 +11,8 @@ namespace {
 constexpr int kNeighbors = 5;
 // Neighbours whose second spread is below this share of the first lie along a line.
 constexpr double kMinAspect = 0.12;
+// Thicker than this share of their second spread they are leaves or an edge.
 constexpr double kMaxThickness = 0.05;
-// One scanning plane over rough ground (window reveals, leaves) leaves points that lie in a plane,
-// but it is the scanner's, not the world's: it holds the sensor to where it was. Such a plane
-// contains the ray; real surfaces seen that flat say little anyway.
-constexpr double kMinIncidenceSine = 0.08;
 // Scale of the Cauchy weight in standard deviations.
 constexpr double kRobustSigmas = 3.0;
 
@@ -63,6 +60,11 @@ double point_to_plane(const NavState& state,
   return plane.normal.dot(point - plane.center);
 }
 
+bool contains_ray(const Plane& plane, const Eigen::Vector3d& ray) {
+  constexpr double kMinIncidenceSine = 0.08;
+  return std::abs(plane.normal.dot(ray)) < kMinIncidenceSine * ray.norm();
+}
+
 Eigen::Vector3d trusted_normal(const Eigen::Vector3d& normal, const WeakDirections& weak) {
   constexpr double kStrongCosine = 0.5;
   Eigen::Vector3d trusted = normal;
@@ -100,7 +102,7 @@ void ScanMatcher::match(const NavState& state) {
       if (!plane) continue;
       const Eigen::Vector3d ray =
           state.map_from_imu * (points_[i].cast<double>() - state.lidar_in_imu);
-      if (std::abs(plane->normal.dot(ray)) < kMinIncidenceSine * ray.norm()) continue;
+      if (contains_ray(*plane, ray)) continue;
       planes_[i] = *plane;
       reach2 = std::max(reach2, points_[i].squaredNorm());
     }

@@ -20,8 +20,13 @@ struct Plane {
 };
 
 /// Plane through neighbours by their centred covariance and its smallest eigenvector; nothing when
-/// one is farther off it than `max_offset_m` or they lie along a line.
+/// one is farther off it than `max_offset_m`, they lie along a line or are no thinner than broad.
 [[nodiscard]] std::optional<Plane> fit_plane(const MapNeighbors& neighbors, double max_offset_m);
+
+/// True for a ray that runs (nearly) within the plane. One scanning plane over rough ground (window
+/// reveals, leaves) leaves points that lie in a plane, but it is the scanner's, not the world's: it
+/// would hold the sensor to where it was. Real surfaces seen that flat say little anyway.
+[[nodiscard]] bool contains_ray(const Plane& plane, const Eigen::Vector3d& ray);
 
 /// Error rows that a point-to-plane residual touches: position, rotation, and the extrinsic.
 inline constexpr int kPoseSize = 6;

@@ -38,6 +38,41 @@ TEST(FitPlane, RefusesPointsOnALine) {
   EXPECT_FALSE(fit_plane(neighbors, 0.1));
 }
 
+TEST(FitPlane, RefusesLeaves) {
+  MapNeighbors neighbors{.count = 5};
+  const float xyz[5][3] = {
+      {0.3F, 0, 0.08F}, {-0.3F, 0, 0.08F}, {0, 0.3F, -0.08F}, {0, -0.3F, -0.08F}, {0, 0, 0}};
+  for (int i = 0; i < 5; ++i) neighbors.points[i] = {xyz[i][0], xyz[i][1], xyz[i][2]};
+  EXPECT_FALSE(fit_plane(neighbors, 0.1));
+  for (int i = 0; i < 5; ++i) neighbors.points[i].z() *= 0.2F;
+  EXPECT_TRUE(fit_plane(neighbors, 0.1));
+}
+
+TEST(ContainsRay, TellsTheScannersPlaneFromAWall) {
+  // Points of one level scan line over a rough facade lie in the level plane of scanning.
+  MapNeighbors neighbors{.count = 5};
+  const float depth[5] = {10.0F, 10.25F, 10.05F, 10.3F, 10.0F};
+  for (int i = 0; i < 5; ++i) {
+    neighbors.points[i] = {depth[i], 0.2F * static_cast<float>(i), 0.0F};
+  }
+  const auto plane = fit_plane(neighbors, 0.1);
+  ASSERT_TRUE(plane);
+  EXPECT_TRUE(contains_ray(*plane, {10.0, 0.4, 0.0}));
+  EXPECT_FALSE(contains_ray(*plane, {10.0, 0.4, -3.0}));
+  const Plane wall{.normal = {1.0, 0.0, 0.0}};
+  EXPECT_FALSE(contains_ray(wall, {10.0, 4.0, 1.0}));
+}
+
+TEST(TrustedNormal, LosesWhatItBarelyFaces) {
+  const WeakDirections along_x{.directions = {Eigen::Vector3d::UnitX()}, .count = 1};
+  const Eigen::Vector3d wall = Eigen::Vector3d(0.05, 1.0, 0.0).normalized();
+  EXPECT_EQ(trusted_normal(wall, along_x).x(), 0.0);
+  EXPECT_EQ(trusted_normal(wall, along_x).y(), wall.y());
+  const Eigen::Vector3d niche = Eigen::Vector3d(0.9, 0.2, 0.0).normalized();
+  EXPECT_EQ(trusted_normal(niche, along_x), niche);
+  EXPECT_EQ(trusted_normal(wall, {}), wall);
+}
+
 TEST(PointToPlane, RowAgreesWithDifferences) {
   NavState state;
   state.map_from_imu = so3_exp({0.1, 0.4, -0.8});

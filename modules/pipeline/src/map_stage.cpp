@@ -1,12 +1,11 @@
 #include "json_text.hpp"
-#include "recording_choice.hpp"
+#include "recording_setup.hpp"
 #include "stage_runner.hpp"
 #include "workspace_data.hpp"
 
 #include <hybridfusion/io/atomic_file.hpp>
 #include <hybridfusion/io/ply.hpp>
 #include <hybridfusion/io/scan_source.hpp>
-#include <hybridfusion/io/sensors_yaml.hpp>
 #include <hybridfusion/io/tum.hpp>
 #include <hybridfusion/lidar/gnss_alignment.hpp>
 #include <hybridfusion/lidar/mapper.hpp>
@@ -22,18 +21,6 @@
 
 namespace hybridfusion {
 namespace {
-
-LidarRig rig_of(const SensorConfig& sensors) {
-  LidarRig rig;
-  rig.imu_from_lidar = sensors.imu_from_lidar.value_or(rig.imu_from_lidar);
-  rig.gnss_antenna_in_imu = sensors.gnss_antenna_in_imu.value_or(rig.gnss_antenna_in_imu);
-  ImuNoise& noise = rig.imu_noise;
-  noise.gyro_noise_density = sensors.gyro_noise_density.value_or(noise.gyro_noise_density);
-  noise.accel_noise_density = sensors.accel_noise_density.value_or(noise.accel_noise_density);
-  noise.gyro_bias_walk = sensors.gyro_bias_walk.value_or(noise.gyro_bias_walk);
-  noise.accel_bias_walk = sensors.accel_bias_walk.value_or(noise.accel_bias_walk);
-  return rig;
-}
 
 std::int64_t expected_scans(const RecordingSummary& summary) {
   for (const RecordingTopic& topic : summary.topics) {
@@ -201,30 +188,26 @@ Expected<Json> place_by_gnss(const Workspace& workspace,
   return json;
 }
 
-struct MapInputs {
-  std::filesystem::path bag = {};
-  RecordingOptions recording = {};
-  LidarRig rig = {};
-};
-
-Expected<StageResult> map_into(Project& project, const MapInputs& inputs, const RunContext& ctx) {
+Expected<StageResult> map_into(Project& project,
+                               const std::filesystem::path& bag,
+                               const RecordingSetup& setup,
+                               const RunContext& ctx) {
   const Workspace& workspace = project.workspace;
   const LidarStageOptions& options = project.options.lidar;
-  HF_TRY(const std::unique_ptr<ScanSource> source,
-         open_recording(inputs.bag, inputs.recording, ctx));
-  HF_TRY(const MappingResult mapping, map_recording(*source, options.odometry, inputs.rig, ctx));
+  HF_TRY(const std::unique_ptr<ScanSource> source, open_recording(bag, setup.recording, ctx));
+  HF_TRY(const MappingResult mapping, map_recording(*source, setup.odometry, setup.rig, ctx));
   const RecordingSummary recording = source->summary();
   for (const std::string& warning : recording.warnings) {
-    ctx.warn(fmt::format("{}: {}", inputs.bag.string(), warning));
+    ctx.warn(fmt::format("{}: {}", bag.string(), warning));
   }
   for (const std::string& warning : mapping.warnings) ctx.warn(warning);
   if (recording.truncated) {
-    ctx.warn(fmt::format("{}: the recording is cut off; what precedes the cut is used",
-                         inputs.bag.string()));
+    ctx.warn(
+        fmt::format("{}: the recording is cut off; what precedes the cut is used", bag.string()));
   }
   if (auto made = workspace.make_folder("lidar"); !made) return std::unexpected(made.error());
   HF_TRY(const Json gnss,
-         place_by_gnss(workspace, mapping, inputs.rig.gnss_antenna_in_imu, options.gnss, ctx));
+         place_by_gnss(workspace, mapping, setup.rig.gnss_antenna_in_imu, options.gnss, ctx));
   if (auto written = write_map_files(workspace, mapping); !written) {
     return std::unexpected(written.error());
   }
@@ -237,11 +220,7 @@ Expected<StageOutcome> map_stage(Project& project,
                                  const std::filesystem::path& bag,
                                  const std::optional<std::filesystem::path>& sensors,
                                  const RunContext& ctx) {
-  const auto sensors_path = sensors_file(bag, sensors);
-  SensorConfig config;
-  if (sensors_path) {
-    HF_TRY(config, read_sensors_yaml(*sensors_path));
-  }
+  HF_TRY(const RecordingSetup setup, recording_setup(project, bag, sensors));
   StagePlan plan{.stage = "map",
                  .option_groups = {"lidar"},
                  .inputs = {},
@@ -250,16 +229,11 @@ Expected<StageOutcome> map_stage(Project& project,
                              workspace_file::kQuality,
                              workspace_file::kGnss}};
   HF_TRY(plan.inputs, recording_files(bag));
-  if (sensors_path) plan.inputs.push_back(*sensors_path);
+  if (setup.sensors_path) plan.inputs.push_back(*setup.sensors_path);
   if (project.workspace.has(workspace_file::kOrigin)) {
     plan.inputs.push_back(project.workspace.path(workspace_file::kOrigin));
   }
-  MapInputs inputs{.bag = bag,
-                   .recording = recording_options(project.options.lidar.recording, config),
-                   .rig = rig_of(config)};
-  std::string& scratch_folder = inputs.recording.scratch_folder;
-  if (scratch_folder.empty()) scratch_folder = project.workspace.root().string();
-  return run_stage(project, plan, ctx, [&] { return map_into(project, inputs, ctx); });
+  return run_stage(project, plan, ctx, [&] { return map_into(project, bag, setup, ctx); });
 }
 
 }  // namespace hybridfusion

@@ -49,8 +49,8 @@ void add_swing(const std::vector<double>& distance,
     const double phase = random.uniform(0.0, 2.0 * std::numbers::pi);
     for (std::size_t i = 0; i < share.size(); ++i) {
       const double time_s = static_cast<double>(i) * kTimeStep_s;
-      channels[channel][i] += amplitude_rad * share[i] *
-                              std::sin(2.0 * std::numbers::pi * time_s / period_s + phase);
+      channels[channel][i] +=
+          amplitude_rad * share[i] * std::sin(2.0 * std::numbers::pi * time_s / period_s + phase);
     }
   }
 }

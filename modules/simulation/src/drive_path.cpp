@@ -112,8 +112,8 @@ DrivePlan plan_drive(const StreetPlan& plan,
     low = -0.6 * plan.core_half_m;
     high = 0.6 * plan.core_half_m;
   }
-  const std::vector<Eigen::Vector2d> loop =
-      smoothed_loop(resampled({low, {high.x(), low.y()}, high, {low.x(), high.y()}}), kCornerSigma_m);
+  const std::vector<Eigen::Vector2d> loop = smoothed_loop(
+      resampled({low, {high.x(), low.y()}, high, {low.x(), high.y()}}), kCornerSigma_m);
   return around(loop, start_share, extra_m);
 }
 

@@ -18,8 +18,9 @@ struct SensorConfig {
   std::optional<std::string> imu_topic = {};
   std::optional<std::string> gnss_topic = {};
   std::optional<std::string> point_time_field = {};
-  std::optional<std::string> point_time_unit = {};          ///< s, ms, us or ns.
-  std::optional<Rigid3> imu_from_lidar = {};                ///< 16 numbers, row-major.
+  std::optional<std::string> point_time_unit = {};  ///< s, ms, us or ns.
+  std::optional<Rigid3> imu_from_lidar = {};        ///< 16 numbers, row-major.
+  std::optional<double> imu_time_offset_s = {};     ///< Added to IMU stamps: onto the LiDAR clock.
   std::optional<Eigen::Vector3d> gnss_antenna_in_imu = {};  ///< [m]
   std::optional<double> gyro_noise_density = {};            ///< [rad/s/sqrt(Hz)]
   std::optional<double> accel_noise_density = {};           ///< [m/s^2/sqrt(Hz)]
@@ -30,5 +31,8 @@ struct SensorConfig {
 /// @returns kNotFound; kInvalidOptions with the line for an unknown key or a value out of range;
 /// kParse with the line for a value of another type.
 [[nodiscard]] Expected<SensorConfig> read_sensors_yaml(const std::filesystem::path& path);
+
+/// The text of a sensors.yaml that reads back as `config`; absent values are left out.
+[[nodiscard]] std::string to_yaml(const SensorConfig& config);
 
 }  // namespace hybridfusion

@@ -165,7 +165,7 @@ struct OptionFields<LidarFilterOptions> {
 /// Map that scans are matched against.
 struct LocalMapOptions {
   std::string structure = "hash";
-  double voxel_m = 0.5;
+  double voxel_m = 0.3;
   double cube_side_m = 1000.0;
 };
 template <>

@@ -2,6 +2,7 @@
 
 #include <hybridfusion/core/options.hpp>
 #include <hybridfusion/io/scan_source.hpp>
+#include <hybridfusion/lidar/calibration.hpp>
 #include <hybridfusion/lidar/gnss_alignment.hpp>
 #include <hybridfusion/lidar/odometry_options.hpp>
 #include <hybridfusion/pipeline/evaluation_options.hpp>
@@ -31,6 +32,7 @@ struct LidarStageOptions {
   RecordingOptions recording = {};
   OdometryOptions odometry = {};
   GnssAlignmentOptions gnss = {};
+  CalibrationOptions calibration = {};
 };
 template <>
 struct OptionFields<LidarStageOptions> {
@@ -39,6 +41,7 @@ struct OptionFields<LidarStageOptions> {
       Field{&T::recording, {.key = "recording", .doc = "Topics of the recording."}},
       Field{&T::odometry, {.key = "odometry", .doc = "LiDAR-inertial odometry and map."}},
       Field{&T::gnss, {.key = "gnss", .doc = "Placing the map by GNSS."}},
+      Field{&T::calibration, {.key = "calibration", .doc = "map --calibrate."}},
   };
 };
 

@@ -64,6 +64,14 @@ struct Project {
                                                const std::optional<std::filesystem::path>& sensors,
                                                const RunContext& ctx);
 
+/// LiDAR-IMU extrinsic and time offset from the recording -> lidar/sensors.yaml, which map_stage
+/// takes as `sensors`. Maps nothing. @returns kDegenerate when the motion shows neither.
+[[nodiscard]] Expected<StageOutcome> calibrate_stage(
+    Project& project,
+    const std::filesystem::path& bag,
+    const std::optional<std::filesystem::path>& sensors,
+    const RunContext& ctx);
+
 struct RegisterInputs {
   std::filesystem::path vision = {};
   std::filesystem::path lidar = {};
