@@ -25,7 +25,8 @@ Json json_of(const BoundaryAccuracy& accuracy) {
           {"share_with_partner", accuracy.share_with_partner},
           {"trimmed_mean_m", accuracy.trimmed_mean_m},
           {"num_vision_boundary_points", accuracy.num_vision},
-          {"num_lidar_boundary_points", accuracy.num_lidar}};
+          {"num_lidar_boundary_points", accuracy.num_lidar},
+          {"num_outside_vision_extent", accuracy.num_outside}};
 }
 
 /// Boundary accuracy of L under several poses against one boundary of G.
@@ -52,7 +53,10 @@ class BoundaryJudge {
       ctx_.warn("no boundary accuracy, LiDAR cloud: " + lidar.error().message);
       return std::nullopt;
     }
-    return boundary_accuracy(vision_, *lidar, options_.partner_m);
+    const BoundaryAccuracy accuracy = boundary_accuracy(vision_, *lidar, options_.partner_m);
+    if (accuracy.num_lidar > 0) return accuracy;
+    ctx_.warn("no boundary accuracy: the LiDAR cloud stands outside the vision cloud");
+    return std::nullopt;
   }
 
  private:

@@ -2,6 +2,7 @@
 
 #include <hybridfusion/core/point_cloud.hpp>
 #include <hybridfusion/core/run_context.hpp>
+#include <hybridfusion/registration/drift.hpp>
 #include <hybridfusion/registration/patch_match.hpp>
 #include <hybridfusion/registration/registration_options.hpp>
 
@@ -63,7 +64,9 @@ struct RegistrationResult {
   Sim3 lidar_from_vision_similarity = {};
   std::vector<RegistrationScore> scores = {};
   std::vector<PoseCandidate> candidates = {};  ///< Descending score.
-  std::vector<PatchMatch> patches = {};        ///< Of the published chain.
+  std::vector<PatchMatch> patches = {};  ///< Of the published chain, or of the vote on the pose.
+  /// Bend of the LiDAR cloud along the drive, in its own frame; without_drift takes it out.
+  DriftCorrection drift = {};
 
   /// The value of a score, if present.
   [[nodiscard]] std::optional<double> score(std::string_view name) const;
