@@ -276,7 +276,7 @@ struct VerdictOptions {
   double max_free_violations = 0.12;
   double max_facade_on_ground = 0.25;
   double max_sigma_m = 0.5;
-  double min_patch_share = 0.3;
+  double min_patch_share = 0.1;
 };
 
 template <>
