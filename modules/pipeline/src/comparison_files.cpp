@@ -1,6 +1,7 @@
 #include "comparison_files.hpp"
 
 #include <hybridfusion/core/parallel.hpp>
+#include <hybridfusion/evaluation/registration_error.hpp>
 #include <hybridfusion/geometry/kd_tree.hpp>
 #include <hybridfusion/geometry/voxel_grid.hpp>
 #include <hybridfusion/io/atomic_file.hpp>
