@@ -3,7 +3,9 @@
 #include <hybridfusion/core/random.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <utility>
 
@@ -93,6 +95,84 @@ void add_drift(SceneClouds& clouds, double drift, Random& random) {
   }
 }
 
+/// A bend that an odometry without loop closure leaves: smooth in the way driven, no trend.
+void add_wander(SceneClouds& clouds, double size_m, Random& random) {
+  const double length_m = random.uniform(100.0, 200.0);
+  const std::array<double, 3> phases = {
+      random.uniform(0.0, 6.28), random.uniform(0.0, 6.28), random.uniform(0.0, 6.28)};
+  for (std::size_t i = 0; i < clouds.lidar.size(); ++i) {
+    const double angle =
+        2.0 * std::numbers::pi * static_cast<double>(clouds.lidar_path_m[i]) / length_m;
+    const Eigen::Vector3d move(std::sin(angle + phases[0]),
+                               std::sin(angle + phases[1]),
+                               0.3 * std::sin(angle + phases[2]));
+    clouds.lidar.points[i] += (size_m * move).cast<float>();
+  }
+}
+
+/// Doming and block deformation: a few centimetres over a hundred metres.
+void bend(PointCloud& cloud, Random& random) {
+  constexpr double kSize_m = 0.04;
+  const double wave = 2.0 * std::numbers::pi / random.uniform(100.0, 200.0);
+  const double phase = random.uniform(0.0, 6.28);
+  for (Eigen::Vector3f& p : cloud.points) {
+    const double x = wave * static_cast<double>(p.x());
+    const double y = wave * static_cast<double>(p.y());
+    p += (kSize_m * Eigen::Vector3d(std::sin(y + phase), std::cos(x + phase), std::sin(x + y)))
+             .cast<float>();
+  }
+}
+
+/// Dark asphalt and deep shadow: discs in which stereo finds no ground.
+void drop_dark_ground(PointCloud& cloud, Random& random) {
+  constexpr float kCell_m = 4.0F;
+  constexpr float kLow_m = 0.5F;
+  std::map<std::pair<int, int>, float> lowest;
+  const auto cell = [&](const Eigen::Vector3f& p) {
+    return std::pair{static_cast<int>(std::floor(p.x() / kCell_m)),
+                     static_cast<int>(std::floor(p.y() / kCell_m))};
+  };
+  for (const Eigen::Vector3f& p : cloud.points) {
+    const auto [entry, is_new] = lowest.try_emplace(cell(p), p.z());
+    if (!is_new) entry->second = std::min(entry->second, p.z());
+  }
+  std::vector<Eigen::Vector3f> discs;
+  for (int k = 0; k < 25; ++k) {
+    const auto at = random.index(static_cast<std::uint32_t>(cloud.size()));
+    const Eigen::Vector3f& p = cloud.points[at];
+    discs.emplace_back(p.x(), p.y(), static_cast<float>(random.uniform(4.0, 12.0)));
+  }
+  std::erase_if(cloud.points, [&](const Eigen::Vector3f& p) {
+    if (p.z() > lowest[cell(p)] + kLow_m) return false;
+    return std::ranges::any_of(discs, [&](const Eigen::Vector3f& d) {
+      return (d.head<2>() - p.head<2>()).norm() < d.z();
+    });
+  });
+}
+
+/// What cars that drove along leave in a LiDAR map: smeared boxes beside the way.
+void add_moving_cars(SceneClouds& clouds, Random& random) {
+  for (int car = 0; car < 6; ++car) {
+    const auto count = static_cast<std::uint32_t>(clouds.sensor_positions.size());
+    const std::uint32_t first = random.index(count);
+    const double side_m = random.uniform(2.5, 4.0);
+    for (std::uint32_t k = first; k + 1 < std::min(count, first + 12); ++k) {
+      const Eigen::Vector3d& at = clouds.sensor_positions[k];
+      const Eigen::Vector3d along = clouds.sensor_positions[k + 1] - at;
+      if (along.norm() < 0.1) continue;
+      const Eigen::Vector3d across = Eigen::Vector3d::UnitZ().cross(along).normalized();
+      for (int i = 0; i < 150; ++i) {
+        const Eigen::Vector3d p = at + random.uniform() * along +
+                                  (side_m + random.uniform(-0.9, 0.9)) * across -
+                                  random.uniform(0.2, 1.8) * Eigen::Vector3d::UnitZ();
+        clouds.lidar.points.push_back(p.cast<float>());
+        clouds.lidar_path_m.push_back(clouds.lidar_path_m.empty() ? 0.0F
+                                                                  : clouds.lidar_path_m.back());
+      }
+    }
+  }
+}
+
 Eigen::Quaterniond tilt(double low_deg, double high_deg, Random& random) {
   const double bearing = random.uniform(0.0, 2.0 * std::numbers::pi);
   const double angle = kDegree * random.uniform(low_deg, high_deg);
@@ -155,6 +235,13 @@ const std::vector<CaseGroup>& case_groups() {
        .scale = 1.002,
        .drift = 0.001},
       {.name = "sparse", .text = "a tenth of the vision points", .keep_every = 10},
+      {.name = "bent_drive",
+       .text = "LiDAR bent by up to 0.25 m along the drive",
+       .wander_m = 0.25},
+      {.name = "everyday",
+       .text = "twice the noise, photos bent by 4 cm, no dark ground, moving cars",
+       .noise = 2.0,
+       .everyday = true},
       {.name = "noisy", .text = "three times the noise", .noise = 3.0},
       {.name = "other_site", .text = "clouds of two places", .must_refuse = true},
       {.name = "flat_field", .text = "open field", .must_refuse = true},
@@ -188,7 +275,9 @@ Expected<RegistrationPair> make_pair(const CaseGroup& group,
     clouds.lidar_path_m.resize(clouds.lidar.size(), 0.0F);
   }
   if (group.keep_every > 1) thin(pair.vision, group.keep_every);
+  if (group.everyday) add_moving_cars(clouds, random);
   const PointCloud undrifted = clouds.lidar;
+  if (group.wander_m > 0.0) add_wander(clouds, group.wander_m, random);
   if (group.drift > 0.0) add_drift(clouds, group.drift, random);
 
   Rigid3 world_from_lidar;
@@ -206,6 +295,15 @@ Expected<RegistrationPair> make_pair(const CaseGroup& group,
     for (Eigen::Vector3d& p : pair.input.sensor_positions) p.x() = -p.x();
   }
   for (Eigen::Vector3f& p : pair.vision.points) p *= static_cast<float>(group.scale);
+  if (group.everyday) {
+    bend(pair.vision, random);
+    drop_dark_ground(pair.vision, random);
+  }
+  const std::size_t stride = std::max<std::size_t>(1, undrifted.size() / 5000);
+  for (std::size_t i = 0; i < undrifted.size(); i += stride) {
+    pair.checked.push_back(i);
+    pair.places_in_vision.push_back(group.scale * undrifted.points[i].cast<double>());
+  }
   HF_TRY(pair.truth, truth_of(pair.lidar, undrifted, group.scale));
   pair.input.vision_from_lidar_initial =
       wrong_start(pair.truth.vision_from_lidar, pair.truth.centroid_in_lidar, group, random);

@@ -24,7 +24,9 @@ struct CaseGroup {
   double scale = 1.0;  ///< Of the vision cloud.
   double drift = 0.0;  ///< Of the LiDAR map, metres per metre driven.
   double noise = 1.0;
-  int keep_every = 1;  ///< Thinning of the vision cloud.
+  int keep_every = 1;     ///< Thinning of the vision cloud.
+  bool everyday = false;  ///< Vision bent and without dark ground, moving cars in the LiDAR.
+  double wander_m = 0.0;  ///< Smooth bend of the LiDAR cloud along the drive.
 };
 
 /// All groups, in the order of the table.
@@ -36,6 +38,9 @@ struct RegistrationPair {
   PointCloud lidar = {};
   RegistrationInput input = {};
   SceneTruth truth = {};  ///< Meaningless for pairs that must be refused.
+  /// Some LiDAR points with the places in vision where they belong [m].
+  std::vector<std::size_t> checked = {};
+  std::vector<Eigen::Vector3d> places_in_vision = {};
 };
 
 /// The pair of a group on the scene of a seed; the LiDAR frame is turned, shifted and tilted by

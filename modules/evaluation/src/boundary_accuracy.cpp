@@ -35,17 +35,34 @@ BoundaryAccuracy boundary_accuracy(std::span<const Eigen::Vector2f> vision_bound
   vision.reserve(vision_boundary.size());
   for (const Eigen::Vector2f& point : vision_boundary) vision.push_back(flat(point));
   const KdTree tree(vision);
-  BoundaryAccuracy result{.num_vision = vision_boundary.size(), .num_lidar = lidar_boundary.size()};
+  Eigen::Vector2f low = vision_boundary.front();
+  Eigen::Vector2f high = low;
+  for (const Eigen::Vector2f& point : vision_boundary) {
+    low = low.cwiseMin(point);
+    high = high.cwiseMax(point);
+  }
+  const Eigen::Array2f margin = Eigen::Array2f::Constant(static_cast<float>(partner_m));
+  BoundaryAccuracy result{.num_vision = vision_boundary.size()};
   double sum = 0.0;
   double trimmed_sum = 0.0;
   std::size_t partners = 0;
   for (const Eigen::Vector2f& point : lidar_boundary) {
+    if ((point.array() < low.array() - margin).any() ||
+        (point.array() > high.array() + margin).any()) {
+      continue;
+    }
+    ++result.num_lidar;
     const float distance_m = std::sqrt(tree.nearest(flat(point)).squared_distance_m2);
     result.distances_m.push_back(distance_m);
     sum += distance_m;
     if (distance_m > partner_m) continue;
     trimmed_sum += distance_m;
     ++partners;
+  }
+  result.num_outside = lidar_boundary.size() - result.num_lidar;
+  if (result.num_lidar == 0) {
+    result.mean_m = result.trimmed_mean_m = std::nan("");
+    return result;
   }
   result.mean_m = sum / static_cast<double>(result.num_lidar);
   result.share_with_partner = static_cast<double>(partners) / static_cast<double>(result.num_lidar);

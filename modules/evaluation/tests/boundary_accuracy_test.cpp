@@ -9,15 +9,26 @@ namespace hybridfusion {
 namespace {
 
 TEST(BoundaryAccuracy, IsTheMeanDistanceWithItsShareAndTrimmedMean) {
-  const std::vector<Eigen::Vector2f> vision = {{0, 0}, {10, 0}};
+  const std::vector<Eigen::Vector2f> vision = {{0, 0}, {10, 0}, {20, 0}};
   const std::vector<Eigen::Vector2f> lidar = {{0, 0.2F}, {10, 0.4F}, {13, 0}};
   const BoundaryAccuracy result = boundary_accuracy(vision, lidar, 1.0);
   EXPECT_NEAR(result.mean_m, (0.2 + 0.4 + 3.0) / 3, 1e-6);
   EXPECT_NEAR(result.share_with_partner, 2.0 / 3.0, 1e-9);
   EXPECT_NEAR(result.trimmed_mean_m, 0.3, 1e-6);
   EXPECT_EQ(result.distances_m.size(), 3U);
-  EXPECT_TRUE(
-      std::isnan(boundary_accuracy(vision, {{Eigen::Vector2f(50, 50)}}, 1.0).trimmed_mean_m));
+  EXPECT_EQ(result.num_outside, 0U);
+}
+
+TEST(BoundaryAccuracy, LeavesOutWhatLiesBeyondTheVisionCloud) {
+  const std::vector<Eigen::Vector2f> vision = {{0, 0}, {10, 0}};
+  const std::vector<Eigen::Vector2f> lidar = {{5, 0}, {50, 50}, {10.8F, 0}};
+  const BoundaryAccuracy result = boundary_accuracy(vision, lidar, 1.0);
+  EXPECT_EQ(result.num_lidar, 2U);
+  EXPECT_EQ(result.num_outside, 1U);
+  EXPECT_NEAR(result.mean_m, (5.0 + 0.8) / 2.0, 1e-6);
+  const BoundaryAccuracy none = boundary_accuracy(vision, {{Eigen::Vector2f(50, 50)}}, 1.0);
+  EXPECT_EQ(none.num_lidar, 0U);
+  EXPECT_TRUE(std::isnan(none.mean_m) && std::isnan(none.trimmed_mean_m));
 }
 
 /// Flat ground of 60 m with a block of 20 x 20 x 8 m: seen from above, its roof; from the street,

@@ -1,3 +1,4 @@
+#include "comparison_files.hpp"
 #include "pair_metrics.hpp"
 #include "stage_runner.hpp"
 #include "truth_metrics.hpp"
@@ -59,15 +60,17 @@ Expected<PairMetrics> workspace_pair_metrics(const Project& project,
   }
   HF_TRY(const PointCloud vision, read_ply(workspace.path(workspace_file::kDense)));
   HF_TRY(const PointCloud lidar, read_ply(workspace.path(workspace_file::kMap)));
-  return pair_metrics({.vision = vision,
-                       .lidar = lidar,
-                       .vision_from_lidar = registration.vision_from_lidar,
-                       .truth = true_pose,
-                       .initial = registration.initial,
-                       .method = registration.method,
-                       .seconds = registration.seconds},
-                      project.options,
-                      ctx);
+  const RegisteredPair pair{.vision = vision,
+                            .lidar = lidar,
+                            .vision_from_lidar = registration.vision_from_lidar,
+                            .truth = true_pose,
+                            .initial = registration.initial,
+                            .method = registration.method,
+                            .seconds = registration.seconds};
+  if (auto written = write_comparison(workspace, pair, ctx); !written) {
+    return std::unexpected(written.error());
+  }
+  return pair_metrics(pair, project.options, ctx);
 }
 
 Expected<StageResult> evaluate_into(Project& project,

@@ -38,6 +38,7 @@ Json json_of(const BoundaryAccuracy& accuracy) {
           {"trimmed_mean_m", accuracy.trimmed_mean_m},
           {"num_vision_boundary_points", accuracy.num_vision},
           {"num_lidar_boundary_points", accuracy.num_lidar},
+          {"num_outside_vision_extent", accuracy.num_outside},
           {"histogram", histogram_json(accuracy.distances_m)}};
 }
 
@@ -65,7 +66,10 @@ class BoundaryJudge {
       ctx_.warn("no boundary accuracy, LiDAR cloud: " + lidar.error().message);
       return std::nullopt;
     }
-    return boundary_accuracy(vision_, *lidar, options_.partner_m);
+    const BoundaryAccuracy accuracy = boundary_accuracy(vision_, *lidar, options_.partner_m);
+    if (accuracy.num_lidar > 0) return accuracy;
+    ctx_.warn("no boundary accuracy: the LiDAR cloud stands outside the vision cloud");
+    return std::nullopt;
   }
 
  private:

@@ -15,6 +15,7 @@
 
 #include <chrono>
 #include <system_error>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -79,6 +80,23 @@ Json json_of(const PatchMatch& patch) {
       {"vision_from_lidar", matrix_json(patch.vision_from_lidar)}};
 }
 
+Json json_of(const DriftCorrection& drift) {
+  const auto vector = [](const Eigen::Vector3d& v) { return Json{v.x(), v.y(), v.z()}; };
+  Json knots = Json::array();
+  for (const DriftKnot& knot : drift.knots) {
+    knots.push_back({{"at", knot.at},
+                     {"pivot", vector(knot.pivot)},
+                     {"shift_m", vector(knot.shift_m)},
+                     {"turn_rad", vector(knot.turn_rad)}});
+  }
+  return {{"corrected", drift.supported},
+          {"along", drift.axis == DriftAxis::kTime ? "time_s" : "path_m"},
+          {"size_m", drift.size_m},
+          {"held_out_before_m", drift.held_out_before_m},
+          {"held_out_after_m", drift.held_out_after_m},
+          {"knots", std::move(knots)}};
+}
+
 Json json_of(const RegistrationResult& result) {
   Json scores = Json::object();
   for (const RegistrationScore& score : result.scores) scores[score.name] = score.value;
@@ -104,6 +122,7 @@ Json json_of(const RegistrationResult& result) {
           {"method", result.method},
           {"candidates", candidates},
           {"yaw_scores", yaw_scores},
+          {"drift", json_of(result.drift)},
           {"vision_scale", result.vision_scale},
           {"vision_scale_sigma", result.vision_scale_sigma},
           {"vision_scale_supported", result.vision_scale_supported}};
@@ -153,7 +172,7 @@ Expected<StageResult> register_into(Project& project,
                                     const RunContext& ctx) {
   const Workspace& workspace = project.workspace;
   HF_TRY(const PointCloud vision, read_point_cloud(inputs.vision));
-  HF_TRY(const PointCloud lidar, read_point_cloud(inputs.lidar));
+  HF_TRY(PointCloud lidar, read_point_cloud(inputs.lidar));
   for (const auto& [path, cloud] : {std::pair{&inputs.vision, &vision}, {&inputs.lidar, &lidar}}) {
     if (!cloud->empty()) continue;
     return fail(ErrorCode::kInsufficient,
@@ -181,6 +200,7 @@ Expected<StageResult> register_into(Project& project,
   if (stage.refused) {
     stage.summary = {"refused: " + result.reason};
   } else {
+    HF_TRY(lidar, without_drift(std::move(lidar), result.drift, known.sensor_positions, ctx));
     HF_TRY(
         const FuseResult fused,
         fuse_clouds(
@@ -206,6 +226,14 @@ Expected<StageResult> register_into(Project& project,
                     fused.cloud.size(),
                     fused.vision_dropped,
                     fused.lidar_dropped)};
+    if (result.drift.supported) {
+      stage.summary.push_back(fmt::format(
+          "LiDAR cloud bent by up to {:.2f} m along the drive, straightened in the fused "
+          "cloud: held-out distances {:.3f} -> {:.3f} m",
+          result.drift.size_m,
+          result.drift.held_out_before_m,
+          result.drift.held_out_after_m));
+    }
     if (!result.reason.empty()) stage.summary.push_back(result.reason);
   }
   if (auto made = workspace.make_folder("registration"); !made) {

@@ -1,6 +1,5 @@
 #include "fine_alignment.hpp"
 
-#include "fine_samples.hpp"
 #include "fine_statistics.hpp"
 
 #include <hybridfusion/core/parallel.hpp>
@@ -24,15 +23,14 @@ double tukey(double residual, double width) {
 /// One alignment in progress: the clouds, the samples, the current similarity.
 class FineProblem {
  public:
-  FineProblem(std::span<const Eigen::Vector3f> vision,
-              std::span<const Eigen::Vector3f> lidar,
+  FineProblem(FineInputs& inputs,
               const Rigid3& start,
               const FineOptions& options,
               const RunContext& ctx)
       : options_(options),
         ctx_(ctx),
-        planes_(vision, options, ctx),
-        samples_(draw_samples(vision, lidar, start, options, ctx)),
+        planes_(inputs.planes),
+        samples_(inputs.samples),
         pose_{.rotation = start.rotation, .translation = start.translation} {}
 
   /// Pairs within `gate_m` of every `stride`-th sample; also counts the samples near the cloud.
@@ -50,8 +48,8 @@ class FineProblem {
  private:
   const FineOptions& options_;
   const RunContext& ctx_;
-  LazyPlanes planes_;
-  std::vector<FineSample> samples_;
+  LazyPlanes& planes_;
+  const std::vector<FineSample>& samples_;
   Sim3 pose_;
   Eigen::Vector3d centre_ = Eigen::Vector3d::Zero();
   bool horizontal_updated_ = false;
@@ -216,14 +214,13 @@ Sim3 apply_update(const Vector7d& update,
   return result;
 }
 
-Expected<FineResult> align_fine(std::span<const Eigen::Vector3f> vision,
-                                std::span<const Eigen::Vector3f> lidar,
+Expected<FineResult> align_fine(FineInputs& inputs,
                                 const Rigid3& start,
                                 const Eigen::Vector3d& lidar_centroid,
                                 const FineOptions& options,
                                 const RunContext& ctx) {
   constexpr std::size_t kMinPairs = 100;
-  FineProblem problem(vision, lidar, start, options, ctx);
+  FineProblem problem(inputs, start, options, ctx);
   const auto too_few = [&](std::size_t count, double gate_m) {
     return fail(ErrorCode::kInsufficient,
                 fmt::format("{} of {} LiDAR samples meet a plane of the vision cloud within "

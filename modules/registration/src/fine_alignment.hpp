@@ -1,11 +1,11 @@
 #pragma once
 
+#include "fine_samples.hpp"
+
 #include <hybridfusion/core/error.hpp>
 #include <hybridfusion/core/rigid3.hpp>
 #include <hybridfusion/core/run_context.hpp>
 #include <hybridfusion/core/sim3.hpp>
-#include <hybridfusion/geometry/kd_tree.hpp>
-#include <hybridfusion/geometry/normals.hpp>
 #include <hybridfusion/registration/registration_options.hpp>
 
 #include <span>
@@ -48,11 +48,11 @@ struct FineResult {
   double horizontal_rms_m = 0.0;
 };
 
-/// Planes of `vision` met by samples of `lidar` around `start`; facades and ground get equal total
-/// weight. @param lidar_centroid  Where the rigid pose agrees with the similarity [m].
+/// Planes of the vision cloud met by samples of the LiDAR cloud around `start`; facades and ground
+/// get equal total weight. @param lidar_centroid  Where the rigid pose agrees with the similarity
+/// [m].
 /// @returns kInsufficient when fewer than 100 pairs remain, kCancelled when stopped.
-[[nodiscard]] Expected<FineResult> align_fine(std::span<const Eigen::Vector3f> vision,
-                                              std::span<const Eigen::Vector3f> lidar,
+[[nodiscard]] Expected<FineResult> align_fine(FineInputs& inputs,
                                               const Rigid3& start,
                                               const Eigen::Vector3d& lidar_centroid,
                                               const FineOptions& options,

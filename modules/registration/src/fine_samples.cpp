@@ -129,4 +129,13 @@ std::vector<FineSample> draw_samples(std::span<const Eigen::Vector3f> vision,
   return samples;
 }
 
+FineInputs make_fine_inputs(std::span<const Eigen::Vector3f> vision,
+                            std::span<const Eigen::Vector3f> lidar,
+                            const Rigid3& start,
+                            const FineOptions& options,
+                            const RunContext& ctx) {
+  return {.planes = LazyPlanes(vision, options, ctx),
+          .samples = draw_samples(vision, lidar, start, options, ctx)};
+}
+
 }  // namespace hybridfusion

@@ -1,6 +1,15 @@
 #pragma once
 
-#include "fine_alignment.hpp"
+#include <hybridfusion/core/rigid3.hpp>
+#include <hybridfusion/core/run_context.hpp>
+#include <hybridfusion/geometry/kd_tree.hpp>
+#include <hybridfusion/geometry/normals.hpp>
+#include <hybridfusion/registration/registration_options.hpp>
+
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
 
 namespace hybridfusion {
 
@@ -47,5 +56,16 @@ class LazyPlanes {
   std::vector<Plane> planes_;
   int neighbors_;
 };
+
+/// What all alignments of one pair near one pose share.
+struct FineInputs {
+  LazyPlanes planes;
+  std::vector<FineSample> samples;
+};
+[[nodiscard]] FineInputs make_fine_inputs(std::span<const Eigen::Vector3f> vision,
+                                          std::span<const Eigen::Vector3f> lidar,
+                                          const Rigid3& start,
+                                          const FineOptions& options,
+                                          const RunContext& ctx);
 
 }  // namespace hybridfusion

@@ -15,31 +15,46 @@ double sigma_of(const PointCloud& cloud, std::size_t i, double fallback_m) {
   return cloud.sigmas_m.empty() ? fallback_m : static_cast<double>(cloud.sigmas_m[i]);
 }
 
-/// Distance of `point` to the plane of `members`, or to their nearest when they are no plane.
-double surface_distance(const Eigen::Vector3f& point,
-                        const PointCloud& other,
-                        const std::vector<Neighbor>& members) {
+/// How a point lies to the surface that the other cloud shows there.
+struct SurfaceGap {
+  double distance_m = 0.0;  ///< From the plane, or from the nearest point where there is no plane.
+  double beside_m = 0.0;    ///< Along the plane from the foot to the nearest point; 0 without one.
+  Eigen::Vector3f foot = Eigen::Vector3f::Zero();
+};
+
+SurfaceGap surface_gap(const Eigen::Vector3f& point,
+                       const PointCloud& other,
+                       const std::vector<Neighbor>& members) {
   Eigen::Vector3d mean;
   const Eigen::Matrix3d covariance = covariance_of(other.points, members, mean);
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
   solver.computeDirect(covariance);
   const bool is_plane = solver.eigenvalues()[0] < 0.06 * solver.eigenvalues().sum() &&
                         solver.eigenvalues()[1] > 0.1 * solver.eigenvalues()[2];
-  if (!is_plane) return std::sqrt(static_cast<double>(members.front().squared_distance_m2));
-  return std::abs(solver.eigenvectors().col(0).dot(point.cast<double>() - mean));
+  const auto squared_m2 = static_cast<double>(members.front().squared_distance_m2);
+  if (!is_plane) return {.distance_m = std::sqrt(squared_m2), .foot = point};
+  const Eigen::Vector3d normal = solver.eigenvectors().col(0);
+  const double height_m = normal.dot(point.cast<double>() - mean);
+  const Eigen::Vector3d foot = point.cast<double>() - height_m * normal;
+  const Eigen::Vector3d nearest = other.points[members.front().index].cast<double>();
+  return {.distance_m = std::abs(height_m),
+          .beside_m = (nearest - foot).norm(),
+          .foot = foot.cast<float>()};
 }
 
-/// Indices of the points of `cloud` whose surface `other` does not show better.
-std::vector<std::size_t> kept_points(const PointCloud& cloud,
-                                     double cloud_sigma_m,
-                                     const PointCloud& other,
-                                     double other_sigma_m,
-                                     const FuseOptions& options,
-                                     const RunContext& ctx) {
+/// Takes out the points of `cloud` whose surface `other` shows better, but for those that fill a
+/// gap between its points: these move onto its surface.
+PointCloud without_doubles(const PointCloud& cloud,
+                           double cloud_sigma_m,
+                           const PointCloud& other,
+                           double other_sigma_m,
+                           const FuseOptions& options,
+                           const RunContext& ctx) {
   const KdTree tree(other.points);
   const auto wanted = static_cast<std::size_t>(options.min_neighbors);
   const auto limit = static_cast<float>(options.search_m * options.search_m);
   std::vector<char> is_kept(cloud.size(), 1);
+  std::vector<Eigen::Vector3f> places = cloud.points;
   parallel_for(ctx, cloud.size(), 2048, [&](std::size_t begin, std::size_t end) {
     std::vector<Neighbor> members;
     for (std::size_t i = begin; i < end && !ctx.stopped(); ++i) {
@@ -52,14 +67,22 @@ std::vector<std::size_t> kept_points(const PointCloud& cloud,
       if (theirs > mine || (theirs == mine && other_sigma_m >= cloud_sigma_m)) continue;
       const double same_m =
           std::max(options.min_distance_m, options.sigma_factor * std::hypot(mine, theirs));
-      if (surface_distance(cloud.points[i], other, members) < same_m) is_kept[i] = 0;
+      const SurfaceGap gap = surface_gap(cloud.points[i], other, members);
+      if (gap.distance_m >= same_m) continue;
+      if (gap.beside_m > options.fill_gap_m) {
+        places[i] = gap.foot;
+      } else {
+        is_kept[i] = 0;
+      }
     }
   });
   std::vector<std::size_t> kept;
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     if (is_kept[i] != 0) kept.push_back(i);
   }
-  return kept;
+  PointCloud result = select(cloud, kept);
+  for (std::size_t k = 0; k < kept.size(); ++k) result.points[k] = places[kept[k]];
+  return result;
 }
 
 /// LiDAR points take the colour of the nearest vision point: what the better positioned point shows
@@ -117,13 +140,13 @@ Expected<FuseResult> fuse_clouds(const PointCloud& vision,
   if (options.drop_duplicates && !a.empty() && !b.empty()) {
     const double sigma_a = options.default_vision_sigma_m;
     const double sigma_b = options.default_lidar_sigma_m;
-    const std::vector<std::size_t> kept_a = kept_points(a, sigma_a, b, sigma_b, options, ctx);
-    const std::vector<std::size_t> kept_b = kept_points(b, sigma_b, a, sigma_a, options, ctx);
+    PointCloud single_a = without_doubles(a, sigma_a, b, sigma_b, options, ctx);
+    PointCloud single_b = without_doubles(b, sigma_b, a, sigma_a, options, ctx);
     if (ctx.stopped()) return fail(ErrorCode::kCancelled, "stopped while merging the clouds");
-    result.vision_dropped = a.size() - kept_a.size();
-    result.lidar_dropped = b.size() - kept_b.size();
-    a = select(a, kept_a);
-    b = select(b, kept_b);
+    result.vision_dropped = a.size() - single_a.size();
+    result.lidar_dropped = b.size() - single_b.size();
+    a = std::move(single_a);
+    b = std::move(single_b);
   }
   harmonise(a, b, options);
   result.cloud = concatenate(std::move(a), b);

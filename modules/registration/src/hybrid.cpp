@@ -1,6 +1,7 @@
 #include "hybrid.hpp"
 
 #include "fine_alignment.hpp"
+#include "patch_votes.hpp"
 #include "verdict.hpp"
 
 #include <algorithm>
@@ -87,27 +88,85 @@ Sim3 as_similarity(const Rigid3& pose) {
   return {.rotation = pose.rotation, .translation = pose.translation, .scale = 1.0};
 }
 
-}  // namespace
+/// Fine alignment; where the drive shows a drift, once more with L straightened.
+Expected<FineResult> align_finely(FineInputs& inputs,
+                                  const PreparedClouds& clouds,
+                                  const PointCloud& lidar,
+                                  const RegistrationInput& input,
+                                  const OutlinePlace& place,
+                                  const RegistrationOptions& options,
+                                  const RunContext& ctx,
+                                  DriftCorrection& drift) {
+  const Eigen::Vector3d& centroid = clouds.lidar_centroid;
+  HF_TRY(FineResult fine,
+         align_fine(inputs, place.vision_from_leveled, centroid, options.fine, ctx));
+  const bool is_found = fine.horizontal_updated &&
+                        agrees(fine.vision_from_lidar, place.vision_from_leveled, centroid);
+  if (!options.drift.enabled || !is_found) return fine;
+  const auto finding = find_drift(inputs, clouds, lidar, input, fine.similarity, options, ctx);
+  if (!finding) {
+    if (finding.error().code == ErrorCode::kCancelled) return std::unexpected(finding.error());
+    return fine;  // too little of the drive is known or seen: no drift to speak of
+  }
+  drift = finding->correction;
+  if (!drift.supported) return fine;
+  return align_fine(inputs, fine.vision_from_lidar * finding->rigid, centroid, options.fine, ctx);
+}
 
-Expected<RegistrationResult> register_hybrid(const PreparedClouds& clouds,
-                                             const RegistrationInput& input,
-                                             const RegistrationOptions& options,
-                                             const RunContext& ctx) {
-  ctx.report({.stage = "registration/outlines", .done = 0, .total = 3});
-  HF_TRY(OutlinePlaces found, find_places(clouds, input, options, ctx));
-  std::vector<OutlinePlace>& places = found.places;
-  Evidence evidence;
-  evidence.used_prior = prefer_by_prior(places, clouds, input, options.verdict.max_peak_ratio);
+/// What the best place shows before the fine alignment.
+Evidence outline_evidence(const std::vector<OutlinePlace>& places,
+                          const PreparedClouds& clouds,
+                          const OutlineOptions& options) {
   const OutlinePlace& best = places.front();
+  Evidence evidence;
   evidence.best = best.evidence;
   evidence.best_score = best.score;
-  evidence.second_score = places.size() > 1 ? places[1].score : 0.0;
   if (places.size() > 1) {
-    evidence.second_offset = (places[1].planar.position - best.planar.position);
+    evidence.second_score = places[1].score;
+    evidence.second_offset = places[1].planar.position - best.planar.position;
   }
   evidence.ground_inliers = best.ground_inliers;
   evidence.linear_share = clouds.lidar_maps.linear_share;
-  evidence.ridge = test_ridge(clouds, best, options.outline);
+  evidence.ridge = test_ridge(clouds, best, options);
+  return evidence;
+}
+
+/// Votes of the patches on `vision_from_leveled`, into the evidence and the result.
+Expected<void> take_votes(FineInputs& inputs,
+                          const PreparedClouds& clouds,
+                          const Rigid3& vision_from_leveled,
+                          const RegistrationOptions& options,
+                          const RunContext& ctx,
+                          Evidence& evidence,
+                          RegistrationResult& result) {
+  if (!options.votes.enabled) return {};
+  HF_TRY(PatchVotes votes,
+         vote_by_patches(inputs, clouds, vision_from_leveled, options.fine, options.votes, ctx));
+  for (PatchMatch& match : votes.patches) {
+    match.vision_from_lidar = from_leveled(match.vision_from_lidar, clouds);
+  }
+  result.patches = std::move(votes.patches);
+  evidence.patches_tried = votes.num_tried;
+  evidence.patch_share = votes.share();
+  evidence.patch_spread_m = votes.spread_m;
+  return {};
+}
+
+}  // namespace
+
+Expected<RegistrationResult> register_hybrid(const PreparedClouds& clouds,
+                                             const PointCloud& lidar,
+                                             const RegistrationInput& input,
+                                             const RegistrationOptions& options,
+                                             const RunContext& ctx) {
+  constexpr std::int64_t kSteps = 4;
+  ctx.report({.stage = "registration/outlines", .done = 0, .total = kSteps});
+  HF_TRY(OutlinePlaces found, find_places(clouds, input, options, ctx));
+  std::vector<OutlinePlace>& places = found.places;
+  const bool used_prior = prefer_by_prior(places, clouds, input, options.verdict.max_peak_ratio);
+  const OutlinePlace& best = places.front();
+  Evidence evidence = outline_evidence(places, clouds, options.outline);
+  evidence.used_prior = used_prior;
 
   RegistrationResult result{.yaw_scores = std::move(found.yaw_scores)};
   for (const OutlinePlace& place : places) {
@@ -116,31 +175,36 @@ Expected<RegistrationResult> register_hybrid(const PreparedClouds& clouds,
   result.vision_from_lidar = from_leveled(best.vision_from_leveled, clouds);
   result.covariance = from_leveled(outline_covariance(), clouds);
   result.lidar_from_vision_similarity = as_similarity(result.vision_from_lidar).inverse();
-  ctx.report({.stage = "registration/fine", .done = 1, .total = 3});
-  const auto fine = align_fine(clouds.vision,
-                               clouds.lidar,
-                               best.vision_from_leveled,
-                               clouds.lidar_centroid,
-                               options.fine,
-                               ctx);
+  ctx.report({.stage = "registration/fine", .done = 1, .total = kSteps});
+  FineInputs inputs =
+      make_fine_inputs(clouds.vision, clouds.lidar, best.vision_from_leveled, options.fine, ctx);
+  Rigid3 final_pose = best.vision_from_leveled;
+  const auto fine = align_finely(inputs, clouds, lidar, input, best, options, ctx, result.drift);
   if (!fine && fine.error().code == ErrorCode::kCancelled) return std::unexpected(fine.error());
   evidence.has_fine = fine.has_value();
   if (fine) {
     evidence.fine = *fine;
     evidence.fine_agrees =
         agrees(fine->vision_from_lidar, best.vision_from_leveled, clouds.lidar_centroid);
-    if (evidence.fine_agrees) {
-      take_fine(*fine, clouds, result);
-      evidence.best = judge_pose(
-          clouds.maps, clouds.lidar_maps, fine->vision_from_lidar, best.planar.overhang_m);
-      if (!fine->scale_supported) {
-        result.lidar_from_vision_similarity = as_similarity(result.vision_from_lidar).inverse();
-      }
-    }
   }
-  ctx.report({.stage = "registration/verdict", .done = 2, .total = 3});
+  if (evidence.fine_agrees) {
+    take_fine(*fine, clouds, result);
+    final_pose = fine->vision_from_lidar;
+    evidence.best = judge_pose(clouds.maps, clouds.lidar_maps, final_pose, best.planar.overhang_m);
+    if (!fine->scale_supported) {
+      result.lidar_from_vision_similarity = as_similarity(result.vision_from_lidar).inverse();
+    }
+  } else {
+    result.drift.supported = false;  // it was measured about a pose that is not taken
+  }
+  ctx.report({.stage = "registration/patches", .done = 2, .total = kSteps});
+  if (const auto voted = take_votes(inputs, clouds, final_pose, options, ctx, evidence, result);
+      !voted) {
+    return std::unexpected(voted.error());
+  }
+  ctx.report({.stage = "registration/verdict", .done = 3, .total = kSteps});
   pronounce(evidence, options.verdict, result);
-  ctx.report({.stage = "registration/verdict", .done = 3, .total = 3});
+  ctx.report({.stage = "registration/verdict", .done = kSteps, .total = kSteps});
   return result;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "fine_samples.hpp"
 #include "prepared_clouds.hpp"
 
 namespace hybridfusion {
@@ -35,7 +36,24 @@ struct RidgeTest {
                                    const OutlinePlace& place,
                                    const OutlineOptions& options);
 
+/// The drift of L about a pose.
+struct DriftFinding {
+  DriftCorrection correction = {};  ///< In the LiDAR frame.
+  Rigid3 rigid = {};                ///< In the leveled frame: the pose becomes pose * rigid.
+};
+/// Estimates the drift along the times of `lidar`, or along the sensor positions where it has none;
+/// a supported one is taken out of the samples.
+/// @returns kInsufficient when the way of the LiDAR or the overlap says too little, kCancelled.
+[[nodiscard]] Expected<DriftFinding> find_drift(FineInputs& inputs,
+                                                const PreparedClouds& clouds,
+                                                const PointCloud& lidar,
+                                                const RegistrationInput& input,
+                                                const Sim3& vision_from_leveled,
+                                                const RegistrationOptions& options,
+                                                const RunContext& ctx);
+
 [[nodiscard]] Expected<RegistrationResult> register_hybrid(const PreparedClouds& clouds,
+                                                           const PointCloud& lidar,
                                                            const RegistrationInput& input,
                                                            const RegistrationOptions& options,
                                                            const RunContext& ctx);

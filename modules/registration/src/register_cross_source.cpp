@@ -40,7 +40,7 @@ Expected<RegistrationResult> register_cross_source(const PointCloud& vision,
     if (options.method == "gicp") return register_gicp(clouds, ctx);
     if (options.method == "ndt") return register_ndt(clouds, options.ndt, ctx);
     if (options.method == "paper") return register_paper(clouds, options, ctx);
-    return register_hybrid(clouds, input, options, ctx);
+    return register_hybrid(clouds, lidar, input, options, ctx);
   };
   Expected<RegistrationResult> result = run();
   if (!result && result.error().code == ErrorCode::kDegenerate) {

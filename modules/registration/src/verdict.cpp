@@ -29,6 +29,7 @@ struct Factor {
 /// of the calibration scenes reached (synthetic blocks and crops of 12 to 60 m radius).
 std::vector<Factor> weigh(const Evidence& e, const VerdictOptions& o) {
   constexpr double kDeg = 57.29577951308232;
+  constexpr std::size_t kMinVoters = 6;
   const double ratio = peak_ratio(e);
   return {
       {ramp(e.best.facade_weight_on_edges, o.min_facade_weight, 2.4 * o.min_facade_weight),
@@ -74,6 +75,13 @@ std::vector<Factor> weigh(const Evidence& e, const VerdictOptions& o) {
        fmt::format("{:.2f} of the LiDAR ground lies inside vision buildings (limit {:.2f})",
                    e.best.free_violations,
                    o.max_free_violations)},
+      {e.patches_tried < kMinVoters
+           ? 1.0
+           : ramp(e.patch_share, o.min_patch_share, o.min_patch_share + 0.25),
+       fmt::format("registered alone, only {:.2f} of {} patches stay at the pose (limit {:.2f})",
+                   e.patch_share,
+                   e.patches_tried,
+                   o.min_patch_share)},
       {e.fine_agrees ? 1.0 : 0.6, "the surfaces lead away from the place that the outlines found"},
   };
 }
@@ -124,6 +132,13 @@ void pronounce(const Evidence& e, const VerdictOptions& o, RegistrationResult& r
       {"held_out_median_m", e.fine.held_out_median_m},
       {"held_out_share", e.fine.held_out_share},
       {"position_sigma_m", sigma_m},
+      {"patches_tried", static_cast<double>(e.patches_tried)},
+      {"patch_cluster_share", e.patch_share},
+      {"patch_spread_m", e.patch_spread_m},
+      {"drift_size_m", result.drift.size_m},
+      {"drift_held_out_before_m", result.drift.held_out_before_m},
+      {"drift_held_out_after_m", result.drift.held_out_after_m},
+      {"drift_supported", result.drift.supported ? 1.0 : 0.0},
   };
   const std::vector<Factor> factors = weigh(e, o);
   double confidence = 1.0;

@@ -18,6 +18,9 @@ struct Evidence {
   bool has_fine = false;
   bool fine_agrees = false;
   FineResult fine = {};
+  std::size_t patches_tried = 0;
+  double patch_share = 0.0;  ///< Of these, in the cluster around the pose.
+  double patch_spread_m = 0.0;
 };
 
 /// Status, reason, confidence and scores of `result` from the evidence.

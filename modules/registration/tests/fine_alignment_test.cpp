@@ -47,6 +47,11 @@ Block block(std::uint64_t seed, double facade_share, double vision_noise_m = 0.0
   return result;
 }
 
+Expected<FineResult> align_block(const Block& b, const Rigid3& start) {
+  FineInputs inputs = make_fine_inputs(b.vision, b.lidar, start, FineOptions{}, RunContext{});
+  return align_fine(inputs, start, b.centroid, FineOptions{}, RunContext{});
+}
+
 Rigid3 small_error() {
   Rigid3 start;
   start.rotation = Eigen::AngleAxisd(0.01, Eigen::Vector3d(0.2, 0.1, 1.0).normalized());
@@ -56,8 +61,7 @@ Rigid3 small_error() {
 
 TEST(AlignFine, RecoversTheTruePoseFromNearby) {
   const Block b = block(11, 0.6);
-  const auto fine =
-      align_fine(b.vision, b.lidar, small_error(), b.centroid, FineOptions{}, RunContext{});
+  const auto fine = align_block(b, small_error());
   ASSERT_TRUE(fine) << fine.error().message;
   EXPECT_TRUE(fine->horizontal_updated);
   EXPECT_LT((fine->vision_from_lidar * b.centroid - b.centroid).norm(), 0.02);
@@ -71,8 +75,7 @@ TEST(AlignFine, FindsTheScaleOfAStretchedVisionCloud) {
   Block b = block(12, 0.6);
   constexpr double kScale = 1.003;
   for (Eigen::Vector3f& p : b.vision) p *= static_cast<float>(kScale);
-  const auto fine =
-      align_fine(b.vision, b.lidar, small_error(), b.centroid, FineOptions{}, RunContext{});
+  const auto fine = align_block(b, small_error());
   ASSERT_TRUE(fine) << fine.error().message;
   EXPECT_TRUE(fine->scale_supported) << fine->scale_sigma;
   EXPECT_NEAR(fine->similarity.scale, kScale, 5e-4);
@@ -82,8 +85,7 @@ TEST(AlignFine, FindsTheScaleOfAStretchedVisionCloud) {
 
 TEST(AlignFine, DoesNotInventAScale) {
   const Block b = block(13, 0.6);
-  const auto fine =
-      align_fine(b.vision, b.lidar, small_error(), b.centroid, FineOptions{}, RunContext{});
+  const auto fine = align_block(b, small_error());
   ASSERT_TRUE(fine) << fine.error().message;
   EXPECT_TRUE(!fine->scale_supported || std::abs(fine->similarity.scale - 1.0) < 1e-3);
 }
@@ -93,7 +95,7 @@ TEST(AlignFine, LeavesPositionAndHeadingAloneWithoutFacades) {
   // Without the walls under it a roof keeps a rim of steep neighbours: drop all but the ground.
   std::erase_if(b.vision, [](const Eigen::Vector3f& p) { return p.z() > 4.5F; });
   const Rigid3 start = small_error();
-  const auto fine = align_fine(b.vision, b.lidar, start, b.centroid, FineOptions{}, RunContext{});
+  const auto fine = align_block(b, start);
   ASSERT_TRUE(fine) << fine.error().message;
   EXPECT_FALSE(fine->horizontal_updated);
   const Eigen::Vector3d moved = fine->vision_from_lidar * b.centroid - start * b.centroid;
@@ -105,9 +107,7 @@ TEST(AlignFine, RefusesCloudsThatDoNotMeet) {
   Block b = block(15, 0.5);
   Rigid3 far;
   far.translation = {500.0, 0.0, 0.0};
-  EXPECT_EQ(
-      align_fine(b.vision, b.lidar, far, b.centroid, FineOptions{}, RunContext{}).error().code,
-      ErrorCode::kInsufficient);
+  EXPECT_EQ(align_block(b, far).error().code, ErrorCode::kInsufficient);
 }
 
 }  // namespace

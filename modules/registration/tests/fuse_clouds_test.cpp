@@ -35,6 +35,27 @@ TEST(FuseClouds, KeepsOneWallWhereBothSeeItAndWhatOnlyOneSees) {
   }
 }
 
+TEST(FuseClouds, PhotoPointsFillGapsBetweenLidarPointsOnTheLidarSurface) {
+  PointCloud lidar;  // one point per 0.25 m: a wall seen from far away
+  for (float y = 0.0F; y < 4.0F; y += 0.25F) {
+    for (float z = 0.0F; z < 4.0F; z += 0.25F) lidar.points.emplace_back(0.0F, y, z);
+  }
+  const PointCloud vision = wall(0.08F, 0.0F, 4.0F);
+  const auto fused = fuse_clouds(vision, lidar, Rigid3{});
+  ASSERT_TRUE(fused) << fused.error().message;
+  EXPECT_GT(fused->vision_dropped, 0U);
+  EXPECT_GT(count(fused->cloud, PointSource::kVision), vision.size() / 2);
+  for (const Eigen::Vector3f& p : fused->cloud.points) {
+    // At the rims of the wall the nearest LiDAR points are a line, not a plane.
+    if (p.y() < 3.5F && p.z() < 3.5F && p.y() > 0.25F && p.z() > 0.25F) {
+      EXPECT_NEAR(p.x(), 0.0F, 1e-4F);
+    }
+  }
+  const auto thin = fuse_clouds(vision, lidar, Rigid3{}, {}, {.fill_gap_m = 100.0});
+  ASSERT_TRUE(thin) << thin.error().message;
+  EXPECT_LT(count(thin->cloud, PointSource::kVision), vision.size() / 10);
+}
+
 TEST(FuseClouds, TheSmallerSigmaWins) {
   PointCloud vision = wall(0.05F, 0.0F, 4.0F);
   PointCloud lidar = wall(0.0F, 0.0F, 4.0F);

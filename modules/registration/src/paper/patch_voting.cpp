@@ -48,6 +48,8 @@ std::string_view to_string(PatchOutcome outcome) {
       return "no_boundary";
     case PatchOutcome::kRejected3d:
       return "rejected_3d";
+    case PatchOutcome::kOutOfWindow:
+      return "out_of_window";
     case PatchOutcome::kPose:
       return "outside_cluster";
     case PatchOutcome::kInCluster:

@@ -39,9 +39,10 @@ struct OptionFields<BoundaryAccuracyOptions> {
 /// a floor well above zero at the true pose: a method is better when it is nearer to the value at
 /// the true pose, not when it is under it. It is blind to height.
 struct BoundaryAccuracy {
-  std::size_t num_vision = 0;  ///< 2D boundary points of G.
-  std::size_t num_lidar = 0;   ///< 2D boundary points of the registered L.
-  double mean_m = 0.0;         ///< From each L boundary point to the nearest one of G.
+  std::size_t num_vision = 0;   ///< 2D boundary points of G.
+  std::size_t num_lidar = 0;    ///< 2D boundary points of the registered L in the rectangle of G's.
+  std::size_t num_outside = 0;  ///< Left out: the LiDAR reaches further than the photos.
+  double mean_m = 0.0;  ///< From each L boundary point to the nearest one of G; NaN without any.
   double share_with_partner = 0.0;
   double trimmed_mean_m = 0.0;          ///< Over that share; NaN when nothing has a partner.
   std::vector<float> distances_m = {};  ///< Of every L boundary point, for a histogram.
@@ -54,7 +55,8 @@ struct BoundaryAccuracy {
     const BoundaryAccuracyOptions& options,
     const RunContext& ctx = {});
 
-/// @pre both boundaries are in the frame of G and not empty
+/// Points of L outside the rectangle of G's boundary (grown by `partner_m`) have nothing to meet
+/// and are left out. @pre both boundaries are in the frame of G and not empty
 [[nodiscard]] BoundaryAccuracy boundary_accuracy(std::span<const Eigen::Vector2f> vision_boundary,
                                                  std::span<const Eigen::Vector2f> lidar_boundary,
                                                  double partner_m);

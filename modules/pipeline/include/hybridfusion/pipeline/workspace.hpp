@@ -58,6 +58,8 @@ inline constexpr std::string_view kRegistration = "registration/registration.jso
 inline constexpr std::string_view kFusedPly = "fused/fused.ply";
 inline constexpr std::string_view kFusedLas = "fused/fused.las";
 inline constexpr std::string_view kMetrics = "evaluation/metrics.json";
+inline constexpr std::string_view kCrossSection = "evaluation/cross_section.csv";
+inline constexpr std::string_view kDifference = "evaluation/difference.ply";
 inline constexpr std::string_view kReport = "report/index.html";
 }  // namespace workspace_file
 

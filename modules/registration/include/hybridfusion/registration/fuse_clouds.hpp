@@ -16,6 +16,7 @@ struct FuseOptions {
   int min_neighbors = 4;
   double min_distance_m = 0.15;
   double sigma_factor = 2.5;
+  double fill_gap_m = 0.05;
   double default_vision_sigma_m = 0.06;
   double default_lidar_sigma_m = 0.01;
   double color_distance_m = 0.3;
@@ -57,6 +58,14 @@ struct OptionFields<FuseOptions> {
              .max = 10.0,
              .doc = "... or nearer than this many standard deviations of both.",
              .source = "ours"}},
+      Field{&T::fill_gap_m,
+            {.key = "fill_gap_m",
+             .unit = "m",
+             .min = 0.0,
+             .max = 100.0,
+             .doc = "A double that lies further than this beside the nearest point of the better "
+                    "surface fills a gap there: it stays and is moved onto that surface.",
+             .source = "ours"}},
       Field{&T::default_vision_sigma_m,
             {.key = "default_vision_sigma_m",
              .unit = "m",
@@ -91,7 +100,9 @@ struct FuseResult {
 
 /// Maps the LiDAR cloud into the vision frame and merges both (HybridFusion III, module C). A point
 /// is dropped when the other cloud is the better one there (smaller sigma) and shows the same
-/// surface: no double walls, no thick ground. Channels survive when both clouds have them; LiDAR
+/// surface: no double walls, no thick ground. One that lies in a gap between the points of the
+/// better cloud stays and is moved onto their plane, so that the merge is nowhere thinner than
+/// either cloud. Channels survive when both clouds have them; LiDAR
 /// points without colours borrow those of near vision points; intensities survive from the LiDAR
 /// cloud alone (vision points get 0).
 /// @param vision_rescale  When given, applied to the vision cloud first (e.g. the scale that the

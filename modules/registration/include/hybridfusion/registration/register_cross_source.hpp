@@ -2,6 +2,7 @@
 
 #include <hybridfusion/core/point_cloud.hpp>
 #include <hybridfusion/core/run_context.hpp>
+#include <hybridfusion/registration/drift.hpp>
 #include <hybridfusion/registration/patch_match.hpp>
 #include <hybridfusion/registration/registration_options.hpp>
 
@@ -70,7 +71,9 @@ struct RegistrationResult {
   std::vector<RegistrationScore> scores = {};
   std::vector<PoseCandidate> candidates = {};  ///< Descending score.
   std::vector<YawScore> yaw_scores = {};       ///< Of the outline search, in its order.
-  std::vector<PatchMatch> patches = {};        ///< Of the published chain.
+  std::vector<PatchMatch> patches = {};  ///< Of the published chain, or of the vote on the pose.
+  /// Bend of the LiDAR cloud along the drive, in its own frame; without_drift takes it out.
+  DriftCorrection drift = {};
 
   /// The value of a score, if present.
   [[nodiscard]] std::optional<double> score(std::string_view name) const;

@@ -2,7 +2,9 @@
 
 #include <hybridfusion/core/options.hpp>
 #include <hybridfusion/geometry/ground.hpp>
+#include <hybridfusion/registration/drift.hpp>
 #include <hybridfusion/registration/paper_options.hpp>
+#include <hybridfusion/registration/patch_vote_options.hpp>
 
 #include <numbers>
 #include <string>
@@ -274,6 +276,7 @@ struct VerdictOptions {
   double max_free_violations = 0.12;
   double max_facade_on_ground = 0.25;
   double max_sigma_m = 0.5;
+  double min_patch_share = 0.1;
 };
 
 template <>
@@ -359,6 +362,14 @@ struct OptionFields<VerdictOptions> {
              .max = 10.0,
              .doc = "Largest standard deviation of the position at the scene.",
              .source = "ours"}},
+      Field{&T::min_patch_share,
+            {.key = "min_patch_share",
+             .unit = "1",
+             .min = 0.0,
+             .max = 0.75,
+             .doc = "Share of the LiDAR patches that must stay at the pose when registered alone; "
+                    "full confidence 0.25 above.",
+             .source = "ours, after HybridFusion III-C.5"}},
   };
 };
 
@@ -431,6 +442,8 @@ struct RegistrationOptions {
   GroundOptions ground = {};
   OutlineOptions outline = {};
   FineOptions fine = {};
+  PatchVoteOptions votes = {};
+  DriftOptions drift = {};
   VerdictOptions verdict = {};
   NdtOptions ndt = {};
   PaperOptions paper = {};
@@ -479,6 +492,8 @@ struct OptionFields<RegistrationOptions> {
       Field{&T::ground, {.key = "ground", .doc = "Ground surfaces."}},
       Field{&T::outline, {.key = "outline", .doc = "Outline maps and search."}},
       Field{&T::fine, {.key = "fine", .doc = "Fine alignment."}},
+      Field{&T::votes, {.key = "votes", .doc = "Votes of LiDAR patches on the pose."}},
+      Field{&T::drift, {.key = "drift", .doc = "Drift of the LiDAR cloud."}},
       Field{&T::verdict, {.key = "verdict", .doc = "When a pose is believed."}},
       Field{&T::ndt, {.key = "ndt", .doc = "NDT baseline."}},
       Field{&T::paper, {.key = "paper", .doc = "The published chain."}},
