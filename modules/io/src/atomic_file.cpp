@@ -106,6 +106,20 @@ void AtomicFile::write(std::string_view text) {
   write(std::as_bytes(std::span(text)));
 }
 
+void AtomicFile::overwrite_start(std::string_view text) {
+  flush();
+  HF_CHECK(text.size() <= written_ || error_number_ != 0);
+  for (std::size_t done = 0; error_number_ == 0 && done < text.size();) {
+    const ssize_t count =
+        ::pwrite(descriptor_, text.data() + done, text.size() - done, static_cast<off_t>(done));
+    if (count >= 0) {
+      done += static_cast<std::size_t>(count);
+    } else if (errno != EINTR) {
+      error_number_ = errno;
+    }
+  }
+}
+
 Expected<void> AtomicFile::commit() {
   HF_CHECK(descriptor_ >= 0);
   flush();

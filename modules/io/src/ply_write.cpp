@@ -10,7 +10,9 @@
 namespace hybridfusion {
 namespace {
 
-[[nodiscard]] std::string header(const PointCloud& cloud, const PlyWriteOptions& options) {
+[[nodiscard]] std::string header(const PointCloud& cloud,
+                                 std::size_t num_points,
+                                 const PlyWriteOptions& options) {
   std::string text =
       fmt::format("ply\nformat {} 1.0\n",
                   options.format == PlyFormat::kAscii ? "ascii" : "binary_little_endian");
@@ -18,7 +20,7 @@ namespace {
     std::ranges::replace_if(comment, [](char c) { return c == '\n' || c == '\r'; }, ' ');
     text += "comment " + comment + "\n";
   }
-  text += fmt::format("element vertex {}\n", cloud.size());
+  text += fmt::format("element vertex {}\n", num_points);
   text += "property float x\nproperty float y\nproperty float z\n";
   if (!cloud.normals.empty()) text += "property float nx\nproperty float ny\nproperty float nz\n";
   if (!cloud.colors.empty()) {
@@ -49,6 +51,23 @@ void visit_values(const PointCloud& cloud, std::size_t i, Put&& put) {
   if (!cloud.sources.empty()) put(static_cast<std::uint8_t>(cloud.sources[i]));
 }
 
+void append_binary(const PointCloud& cloud, AtomicFile& file) {
+  std::string row;
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    row.clear();
+    visit_values(cloud, i, [&row](auto value) { append_value(row, value); });
+    file.write(row);
+  }
+}
+
+/// The header of a file whose number of points becomes known last: a comment makes up for its
+/// digits.
+std::string padded_header(const PointCloud& channels, std::size_t num_points) {
+  constexpr std::size_t kDigits = 20;
+  const std::size_t digits = fmt::format("{}", num_points).size();
+  return header(channels, num_points, {.comments = {std::string(kDigits - digits, '-')}});
+}
+
 }  // namespace
 
 Expected<void> write_ply(const std::filesystem::path& path,
@@ -56,20 +75,46 @@ Expected<void> write_ply(const std::filesystem::path& path,
                          const PlyWriteOptions& options) {
   HF_CHECK(validate(cloud).has_value());
   HF_TRY(AtomicFile file, AtomicFile::create(path));
-  file.write(header(cloud, options));
+  file.write(header(cloud, cloud.size(), options));
+  if (options.format == PlyFormat::kBinaryLittleEndian) {
+    append_binary(cloud, file);
+    return file.commit();
+  }
   std::string row;
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     row.clear();
-    if (options.format == PlyFormat::kAscii) {
-      visit_values(
-          cloud, i, [&row](auto value) { fmt::format_to(std::back_inserter(row), "{} ", value); });
-      row.back() = '\n';
-    } else {
-      visit_values(cloud, i, [&row](auto value) { append_value(row, value); });
-    }
+    visit_values(
+        cloud, i, [&row](auto value) { fmt::format_to(std::back_inserter(row), "{} ", value); });
+    row.back() = '\n';
     file.write(row);
   }
   return file.commit();
+}
+
+Expected<PlyPieceWriter> PlyPieceWriter::create(const std::filesystem::path& path) {
+  HF_TRY(AtomicFile file, AtomicFile::create(path));
+  return PlyPieceWriter(std::move(file));
+}
+
+void PlyPieceWriter::add(const PointCloud& piece) {
+  HF_CHECK(validate(piece).has_value());
+  if (piece.empty()) return;
+  if (num_points_ == 0) {
+    channels_ = select(piece, {0});
+    file_.write(padded_header(channels_, 0));
+  }
+  num_points_ += piece.size();
+  append_binary(piece, file_);
+}
+
+Expected<void> PlyPieceWriter::commit() {
+  const std::string text = padded_header(channels_, num_points_);
+  if (num_points_ == 0) {
+    file_.write(text);
+  } else {
+    file_.overwrite_start(text);
+  }
+  return file_.commit();
 }
 
 }  // namespace hybridfusion

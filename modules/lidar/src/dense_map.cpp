@@ -1,11 +1,28 @@
 #include "dense_map.hpp"
 
-#include <hybridfusion/core/run_context.hpp>
-#include <hybridfusion/geometry/voxel_grid.hpp>
-
 #include <algorithm>
+#include <unordered_map>
 
 namespace hybridfusion {
+namespace {
+
+// What is lower than this above the ground near it is ground: rays graze it.
+constexpr float kGroundHeight_m = 0.3F;
+constexpr float kGroundCell_m = 1.0F;
+
+VoxelIndex index_of(std::uint64_t key) {
+  constexpr std::uint64_t kMask = (1U << 21U) - 1U;
+  constexpr int kOffset = 1 << 20;
+  return {static_cast<int>((key >> 42U) & kMask) - kOffset,
+          static_cast<int>((key >> 21U) & kMask) - kOffset,
+          static_cast<int>(key & kMask) - kOffset};
+}
+
+std::uint64_t ground_key(const Eigen::Vector3f& point) {
+  return voxel_key(voxel_of({point.x(), point.y(), 0.0F}, kGroundCell_m));
+}
+
+}  // namespace
 
 DenseMap::DenseMap(const DenseMapOptions& options) : options_(options), slots_(1U << 16U, kNone) {}
 
@@ -36,6 +53,7 @@ void DenseMap::add(std::uint32_t scan,
     voxels_.push_back({.key = key, .time_s = time_s});
   }
   Voxel& voxel = voxels_[slots_[slot]];
+  voxel.last_time_s = time_s;
   if (voxel.num_points < std::numeric_limits<std::uint16_t>::max()) ++voxel.num_points;
   const float share = 1.0F / static_cast<float>(voxel.num_points);
   voxel.mean += share * (point_in_map - voxel.mean);
@@ -48,7 +66,7 @@ void DenseMap::add(std::uint32_t scan,
 
 bool DenseMap::is_supported(const Voxel& voxel) const {
   int num_scans = voxel.num_scans;
-  const VoxelIndex home = voxel_of(voxel.mean, options_.voxel_m);
+  const VoxelIndex home = index_of(voxel.key);
   for (int i = 0; i < 27 && num_scans < options_.min_scans; ++i) {
     if (i == 13) continue;
     const VoxelIndex at = home + VoxelIndex(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
@@ -63,58 +81,38 @@ bool DenseMap::is_supported(const Voxel& voxel) const {
   return num_scans >= options_.min_scans;
 }
 
-PointCloud DenseMap::extract(Timestamp time_origin) const {
-  PointCloud cloud;
-  std::vector<bool> keep(voxels_.size());
-  for (std::size_t i = 0; i < voxels_.size(); ++i) keep[i] = is_supported(voxels_[i]);
-  const auto count = static_cast<std::size_t>(std::ranges::count(keep, true));
-  cloud.points.reserve(count);
-  cloud.intensities.reserve(count);
-  cloud.times_s.reserve(count);
-  const double origin_s = to_seconds(time_origin);
-  for (std::size_t i = 0; i < voxels_.size(); ++i) {
-    if (!keep[i]) continue;
-    cloud.points.push_back(voxels_[i].mean);
-    cloud.intensities.push_back(voxels_[i].intensity);
-    cloud.times_s.push_back(origin_s + voxels_[i].time_s);
+std::vector<std::uint32_t> DenseMap::brief_voxels() const {
+  std::unordered_map<std::uint64_t, float> lowest;
+  for (const Voxel& voxel : voxels_) {
+    const auto [at, added] = lowest.try_emplace(ground_key(voxel.mean), voxel.mean.z());
+    at->second = std::min(at->second, voxel.mean.z());
   }
-  return cloud;
+  std::vector<std::uint32_t> brief;
+  for (std::uint32_t i = 0; i < voxels_.size(); ++i) {
+    const Voxel& voxel = voxels_[i];
+    if (voxel.last_time_s - voxel.time_s <= static_cast<float>(options_.max_brief_s) &&
+        voxel.mean.z() > lowest.at(ground_key(voxel.mean)) + kGroundHeight_m &&
+        is_supported(voxel)) {
+      brief.push_back(i);
+    }
+  }
+  return brief;
 }
 
-Expected<PointCloud> build_dense_map(const DenseMapOptions& options,
-                                     const RunContext& ctx,
-                                     ScanStore& store) {
-  DenseMap map(options);
-  const std::vector<StoredScan>& scans = store.scans();
-  std::vector<PackedPoint> points;
-  if (scans.empty()) return PointCloud{};
-  const auto max_range2 = static_cast<float>(options.max_range_m * options.max_range_m);
-  const Timestamp origin = scans.front().begin;
-  for (std::size_t s = 0; s < scans.size(); ++s) {
-    if (ctx.stopped()) return fail(ErrorCode::kCancelled, "stopped by the caller");
-    ctx.report({.stage = "lidar/dense_map",
-                .done = static_cast<std::int64_t>(s),
-                .total = static_cast<std::int64_t>(scans.size())});
-    const StoredScan& scan = scans[s];
-    const Eigen::Matrix3f rotation = scan.map_from_imu.rotation.toRotationMatrix().cast<float>();
-    const Eigen::Vector3f position = scan.map_from_imu.translation.cast<float>();
-    const auto begin_s = static_cast<float>(to_seconds(scan.begin - origin));
-    const auto span_s = static_cast<float>(to_seconds(scan.time - scan.begin));
-    const auto usable = (scan.flags & (static_cast<std::uint32_t>(ScanFlag::kUnmatched) |
-                                       static_cast<std::uint32_t>(ScanFlag::kDiverged))) == 0;
-    if (auto read = store.read(scan, points); !read) return std::unexpected(read.error());
-    for (const PackedPoint& packed : points) {
-      if (!usable) break;
-      const UnpackedPoint point = unpack(packed);
-      if (point.point_in_imu.squaredNorm() > max_range2) continue;
-      map.add(static_cast<std::uint32_t>(s),
-              rotation * point.point_in_imu + position,
-              point.intensity,
-              begin_s + point.share * span_s);
+PointCloud DenseMap::extract(Timestamp time_origin, const PlanBox& box) const {
+  PointCloud cloud;
+  const double origin_s = to_seconds(time_origin);
+  for (const Voxel& voxel : voxels_) {
+    const Eigen::Vector2i at = index_of(voxel.key).head<2>();
+    if (voxel.dropped || (at.array() < box.low.array()).any() ||
+        (at.array() >= box.high.array()).any() || !is_supported(voxel)) {
+      continue;
     }
-    store.drop_points(scan);
+    cloud.points.push_back(voxel.mean);
+    cloud.intensities.push_back(voxel.intensity);
+    cloud.times_s.push_back(origin_s + voxel.time_s);
   }
-  return map.extract(origin);
+  return cloud;
 }
 
 }  // namespace hybridfusion

@@ -4,6 +4,8 @@
 
 #include <hybridfusion/core/point_cloud.hpp>
 #include <hybridfusion/core/run_context.hpp>
+#include <hybridfusion/geometry/voxel_grid.hpp>
+#include <hybridfusion/lidar/mapper.hpp>
 #include <hybridfusion/lidar/odometry_options.hpp>
 
 #include <cstdint>
@@ -12,17 +14,30 @@
 
 namespace hybridfusion {
 
+/// Voxel indices low <= index < high in x and y.
+struct PlanBox {
+  Eigen::Vector2i low = Eigen::Vector2i::Constant(std::numeric_limits<int>::min());
+  Eigen::Vector2i high = Eigen::Vector2i::Constant(std::numeric_limits<int>::max());
+};
+
 /// Thins a stream of points to one (the mean) in each voxel and remembers how many scans hit it.
-/// 44 bytes a voxel.
+/// 48 bytes a voxel.
 class DenseMap {
  public:
   explicit DenseMap(const DenseMapOptions& options);
 
   /// @pre scans come in order; `scan` counts them.
   void add(std::uint32_t scan, const Eigen::Vector3f& point_in_map, float intensity, float time_s);
-  /// Voxels that, with their neighbours, were hit in min_scans scans, in order of their first hit.
-  /// @param time_origin  Added to the times given to add().
-  [[nodiscard]] PointCloud extract(Timestamp time_origin) const;
+  /// Supported voxels that were hit for at most `max_brief_s` and stand at least 0.3 m above the
+  /// lowest hit near them: what moved is among them.
+  [[nodiscard]] std::vector<std::uint32_t> brief_voxels() const;
+  [[nodiscard]] const Eigen::Vector3f& mean(std::uint32_t voxel) const {
+    return voxels_[voxel].mean;
+  }
+  void drop(std::uint32_t voxel) { voxels_[voxel].dropped = true; }
+  /// Voxels in the box that, with their neighbours, were hit in min_scans scans, in order of their
+  /// first hit. @param time_origin  Added to the times given to add().
+  [[nodiscard]] PointCloud extract(Timestamp time_origin, const PlanBox& box = {}) const;
   [[nodiscard]] std::size_t size() const { return voxels_.size(); }
 
  private:
@@ -31,9 +46,11 @@ class DenseMap {
     Eigen::Vector3f mean = Eigen::Vector3f::Zero();
     float intensity = 0.0F;
     float time_s = 0.0F;
+    float last_time_s = 0.0F;
     std::uint32_t last_scan = 0;
     std::uint16_t num_points = 0;
     std::uint16_t num_scans = 0;
+    bool dropped = false;
   };
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
   [[nodiscard]] std::size_t slot_of(std::uint64_t key) const;
@@ -45,9 +62,11 @@ class DenseMap {
   std::vector<Voxel> voxels_ = {};
 };
 
-/// The dense map of all scans; their points leave `store` on the way. @returns kCancelled.
-[[nodiscard]] Expected<PointCloud> build_dense_map(const DenseMapOptions& options,
-                                                   const RunContext& ctx,
-                                                   ScanStore& store);
+/// The dense map of all scans, tile by tile: what the memory holds does not grow with the drive.
+/// @returns kCancelled, kIo and what `sink` returns.
+[[nodiscard]] Expected<void> build_dense_map(const DenseMapOptions& options,
+                                             const RunContext& ctx,
+                                             const ScanStore& store,
+                                             const MapSink& sink);
 
 }  // namespace hybridfusion

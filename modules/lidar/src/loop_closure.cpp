@@ -6,7 +6,6 @@
 #include <hybridfusion/core/parallel.hpp>
 
 #include <algorithm>
-#include <atomic>
 
 #include <fmt/format.h>
 
@@ -19,27 +18,30 @@ constexpr double kClosed_rad = 0.003;
 // A stretch of odometry that loops would bend by more than this many deviations contradicts them.
 constexpr double kMaxStrain_sigmas = 12.0;
 constexpr double kFlagged_m = 0.03;
+constexpr std::size_t kPairsAtOnce = 32;
 
 Expected<std::vector<Loop>> verified_loops(const LoopClosureOptions& options,
                                            const RunContext& ctx,
                                            const ScanStore& store,
                                            const DrivenWay& way,
                                            const std::vector<LoopCandidate>& candidates) {
-  std::vector<Expected<std::optional<Loop>>> found(candidates.size());
-  std::atomic<std::int64_t> done = 0;
-  parallel_for(ctx, candidates.size(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end && !ctx.stopped(); ++i) {
-      found[i] = verify_loop(options, store, way, candidates[i]);
-      ctx.report({.stage = "lidar/loops",
-                  .done = ++done,
-                  .total = static_cast<std::int64_t>(candidates.size())});
-    }
-  });
-  if (ctx.stopped()) return fail(ErrorCode::kCancelled, "stopped by the caller");
+  std::vector<Expected<std::optional<Loop>>> found(kPairsAtOnce);
   std::vector<Loop> loops;
-  for (const auto& loop : found) {
-    if (!loop) return std::unexpected(loop.error());
-    if (*loop) loops.push_back(**loop);
+  for (std::size_t first = 0; first < candidates.size(); first += kPairsAtOnce) {
+    if (ctx.stopped()) return fail(ErrorCode::kCancelled, "stopped by the caller");
+    const std::size_t count = std::min(kPairsAtOnce, candidates.size() - first);
+    parallel_for(ctx, count, 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        found[i] = verify_loop(options, store, way, candidates[first + i]);
+      }
+    });
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!found[i]) return std::unexpected(found[i].error());
+      if (*found[i]) loops.push_back(**found[i]);
+    }
+    ctx.report({.stage = "lidar/loops",
+                .done = static_cast<std::int64_t>(first + count),
+                .total = static_cast<std::int64_t>(candidates.size())});
   }
   return loops;
 }
@@ -91,7 +93,6 @@ Expected<LoopClosureReport> close_loops(const LoopClosureOptions& options,
   report.num_candidates = candidates.size();
   if (candidates.empty()) return report;
   HF_TRY(const std::vector<Loop> verified, verified_loops(options, ctx, store, way, candidates));
-  report.num_verified = verified.size();
   const std::vector<Loop> loops = consistent_loops(options, scans, way, verified);
   report.num_loops = loops.size();
   double max_turn_rad = 0.0;

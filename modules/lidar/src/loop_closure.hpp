@@ -13,8 +13,7 @@ namespace hybridfusion {
 
 struct LoopClosureReport {
   std::size_t num_candidates = 0;  ///< Pairs of places looked at.
-  std::size_t num_verified = 0;    ///< That fit each other, each on its own.
-  std::size_t num_loops = 0;       ///< Backed by others and kept.
+  std::size_t num_loops = 0;       ///< That fit each other, are backed by others and were kept.
   double max_error_m = 0.0;        ///< By which a kept loop was open.
   double max_move_m = 0.0;         ///< Of a scan.
   bool applied = false;            ///< False: the poses are as before.

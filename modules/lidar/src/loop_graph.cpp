@@ -116,12 +116,16 @@ void add_gnss(const GnssTrack& gnss,
               const std::vector<Segment>& segments,
               std::span<const StoredScan> scans,
               PoseGraph& graph) {
-  if (gnss.fixes.empty()) return;
   Trajectory trajectory;
   for (const StoredScan& scan : scans) {
     trajectory.poses.push_back({.time = scan.time, .map_from_body = scan.map_from_imu});
   }
-  const GeodeticOrigin origin = gnss.fixes.front().position;
+  const auto usable = std::ranges::find_if(gnss.fixes, [](const GnssFix& fix) {
+    const GeodeticPosition& at = fix.position;
+    return std::isfinite(at.latitude_deg + at.longitude_deg + at.altitude_m);
+  });
+  if (usable == gnss.fixes.end()) return;
+  const GeodeticOrigin origin = usable->position;
   const auto aligned = align_gnss(trajectory, gnss.fixes, origin, gnss.antenna_in_imu, {});
   if (!aligned) return;
   const Rigid3 map_from_enu = aligned->enu_from_map.inverse();

@@ -136,6 +136,16 @@ std::size_t LidarMapper::num_located_scans() const {
 }
 
 Expected<MappingResult> LidarMapper::finish(const RunContext& ctx) {
+  PointCloud map;
+  auto result = finish(ctx, [&map](const PointCloud& piece) -> Expected<void> {
+    map = concatenate(std::move(map), piece);
+    return {};
+  });
+  if (result) result->map = std::move(map);
+  return result;
+}
+
+Expected<MappingResult> LidarMapper::finish(const RunContext& ctx, const MapSink& sink) {
   if (auto finished = impl_->odometry.finish(); !finished) {
     return std::unexpected(std::move(finished).error());
   }
@@ -151,8 +161,13 @@ Expected<MappingResult> LidarMapper::finish(const RunContext& ctx) {
   for (const StoredScan& scan : store.scans()) {
     result.trajectory.poses.push_back({.time = scan.time, .map_from_body = scan.map_from_imu});
   }
-  HF_TRY(result.map, build_dense_map(impl_->options.map, ctx, store));
-  if (result.map.empty()) {
+  auto built = build_dense_map(
+      impl_->options.map, ctx, store, [&](const PointCloud& piece) -> Expected<void> {
+        result.num_map_points += piece.size();
+        return sink(piece);
+      });
+  if (!built) return std::unexpected(std::move(built).error());
+  if (result.num_map_points == 0) {
     return fail(ErrorCode::kInsufficient,
                 fmt::format("{} scans gave no map point; are their points within {} .. {} m?",
                             result.trajectory.poses.size(),

@@ -21,6 +21,19 @@ constexpr double kMaxClusterWeight = 20.0;
 constexpr double kPointSigma_m = 0.03;
 constexpr double kRobustScale_m = 0.05;
 
+// A plane joins every two of its segments: more than these would only cost time and memory.
+constexpr std::size_t kMaxMembers = 64;
+
+/// At most kMaxMembers of a cell's clusters, spread over the drive, others in other cells.
+std::vector<PlaneCluster> spread(std::span<const PlaneCluster> members) {
+  const std::size_t stride = (members.size() + kMaxMembers - 1) / kMaxMembers;
+  std::vector<PlaneCluster> out;
+  out.reserve(std::min(members.size(), kMaxMembers) + 1);
+  const std::size_t start = ((members.front().cell * 0x9E3779B97F4A7C15ULL) >> 32U) % stride;
+  for (std::size_t i = start; i < members.size(); i += stride) out.push_back(members[i]);
+  return out;
+}
+
 struct FittedPlane {
   Eigen::Vector3d center;
   Eigen::Matrix3d axes;  // columns by ascending spread: normal first
@@ -131,7 +144,7 @@ void PlaneAdjustment::add(std::span<const PlaneCluster> clusters) {
       num_points += clusters[last++].count;
     }
     if (last - first >= 2 && num_points >= kMinPlanePoints) {
-      add_cell(clusters.subspan(first, last - first));
+      add_cell(spread(clusters.subspan(first, last - first)));
     }
     first = last;
   }

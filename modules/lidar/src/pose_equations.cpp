@@ -23,29 +23,42 @@ PoseMatrix& PoseEquations::block(std::uint32_t row, std::uint32_t column) {
   return blocks_[at->second];
 }
 
-Expected<Eigen::VectorXd> PoseEquations::solve() const {
-  std::vector<Eigen::Triplet<double>> triplets;
-  triplets.reserve(36 * (blocks_.size() + diagonal_.size()));
-  const auto add = [&](std::int64_t row, std::int64_t column, const PoseMatrix& m) {
-    for (int i = 0; i < 6; ++i) {
-      for (int j = 0; j < 6; ++j) {
-        if (row != column || i <= j) triplets.emplace_back(6 * row + i, 6 * column + j, m(i, j));
-      }
-    }
+Eigen::SparseMatrix<double> PoseEquations::matrix() const {
+  // Filled column by column: triplets would double the peak of the memory.
+  struct Entry {
+    std::uint32_t row = 0;
+    const PoseMatrix* block = nullptr;
   };
-  for (std::size_t i = 1; i < diagonal_.size(); ++i) {
-    add(static_cast<std::int64_t>(i) - 1, static_cast<std::int64_t>(i) - 1, diagonal_[i]);
-  }
+  std::vector<std::vector<Entry>> columns(diagonal_.size());
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
-    const auto row = static_cast<std::int64_t>(keys_[b] >> 32U);
-    const auto column = static_cast<std::int64_t>(keys_[b] & 0xFFFFFFFFU);
-    if (row > 0) add(row - 1, column - 1, blocks_[b]);
+    const auto row = static_cast<std::uint32_t>(keys_[b] >> 32U);
+    if (row > 0) columns[keys_[b] & 0xFFFFFFFFU].push_back({.row = row, .block = &blocks_[b]});
   }
   const auto size = static_cast<Eigen::Index>(6 * (diagonal_.size() - 1));
   Eigen::SparseMatrix<double> h(size, size);
-  h.setFromTriplets(triplets.begin(), triplets.end());
-  std::vector<Eigen::Triplet<double>>().swap(triplets);
-  Eigen::VectorXd g(size);
+  h.reserve(static_cast<Eigen::Index>(36 * blocks_.size() + 21 * diagonal_.size()));
+  for (std::uint32_t column = 1; column < diagonal_.size(); ++column) {
+    std::vector<Entry>& entries = columns[column];
+    std::ranges::sort(entries, {}, &Entry::row);
+    for (int j = 0; j < 6; ++j) {
+      const Eigen::Index at = 6 * (static_cast<Eigen::Index>(column) - 1) + j;
+      h.startVec(at);
+      for (const Entry& entry : entries) {
+        for (int i = 0; i < 6; ++i) {
+          h.insertBack(6 * (static_cast<Eigen::Index>(entry.row) - 1) + i, at) =
+              (*entry.block)(i, j);
+        }
+      }
+      for (int i = 0; i <= j; ++i) h.insertBack(at - j + i, at) = diagonal_[column](i, j);
+    }
+  }
+  h.finalize();
+  return h;
+}
+
+Expected<Eigen::VectorXd> PoseEquations::solve() const {
+  const Eigen::SparseMatrix<double> h = matrix();
+  Eigen::VectorXd g(h.cols());
   for (std::size_t i = 1; i < right_.size(); ++i) {
     g.segment<6>(static_cast<Eigen::Index>(6 * (i - 1))) = right_[i];
   }

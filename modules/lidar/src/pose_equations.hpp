@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <Eigen/Core>
+#include <Eigen/SparseCore>
 
 namespace hybridfusion {
 
@@ -28,6 +29,8 @@ class PoseEquations {
   [[nodiscard]] Expected<Eigen::VectorXd> solve() const;
 
  private:
+  [[nodiscard]] Eigen::SparseMatrix<double> matrix() const;
+
   std::vector<PoseMatrix> diagonal_;
   std::vector<PoseVector> right_;
   std::vector<PoseMatrix> blocks_ = {};

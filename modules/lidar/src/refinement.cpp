@@ -17,6 +17,8 @@ constexpr double kLinkSigma_rad = 3e-3;
 constexpr double kBlindLinkSigma_m = 0.3;
 constexpr std::size_t kSegmentsAtOnce = 32;
 constexpr std::size_t kNumBuckets = 64;
+// The equations grow with the number of segments: half an hour at the default length.
+constexpr std::size_t kMaxSegments = 3600;
 constexpr std::size_t kBlockClusters = 1024;
 
 /// Clusters by the hash of their cell, so that one bucket at a time holds all members of its cells.
@@ -138,7 +140,10 @@ Expected<RefinementReport> refine_poses(const LidarRefineOptions& options,
                                         ScanStore& store) {
   RefinementReport report;
   std::vector<StoredScan>& scans = store.scans();
-  const std::vector<Segment> segments = cut_into_segments(scans, options.segment_s);
+  if (scans.empty()) return report;
+  const double duration_s = to_seconds(scans.back().time - scans.front().time);
+  const std::vector<Segment> segments = cut_into_segments(
+      scans, std::max(options.segment_s, duration_s / static_cast<double>(kMaxSegments)));
   report.num_segments = segments.size();
   if (segments.size() < 2) return report;
   std::vector<RelativePose> links = odometry_links(anchor_poses(segments, scans));

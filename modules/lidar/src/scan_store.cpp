@@ -59,6 +59,7 @@ Expected<void> ScanStore::add(const ScanEstimate& scan) {
                     .gravity_in_imu = scan.map_from_imu.rotation.conjugate() * scan.gravity_in_map,
                     .gravity_sigma_rad = scan.gravity_sigma_rad,
                     .since_last = scan.since_last,
+                    .lidar_in_imu = scan.imu_from_lidar.translation.cast<float>(),
                     .flags = scan.quality.flags};
   std::vector<PackedPoint> packed;
   if (!scan.deskewed.empty()) {
@@ -86,10 +87,6 @@ Expected<void> ScanStore::read(const StoredScan& scan, std::vector<PackedPoint>&
   out.resize(bytes.size() / sizeof(PackedPoint));
   if (!out.empty()) std::memcpy(out.data(), bytes.data(), out.size() * sizeof(PackedPoint));
   return {};
-}
-
-void ScanStore::drop_points(const StoredScan& scan) {
-  spill_.drop(scan.block);
 }
 
 }  // namespace hybridfusion

@@ -36,7 +36,8 @@ struct StoredScan {
   Eigen::Vector3d gravity_in_imu = Eigen::Vector3d::Zero();
   double gravity_sigma_rad = 0.0;
   ImuIncrement since_last = {};
-  SpillFile::Block block = {};  ///< Its points in the store.
+  Eigen::Vector3f lidar_in_imu = Eigen::Vector3f::Zero();  ///< [m]
+  SpillFile::Block block = {};                             ///< Its points in the store.
   std::size_t num_points = 0;
   std::uint32_t flags = 0;
 };
@@ -56,8 +57,6 @@ class ScanStore {
   [[nodiscard]] Expected<void> read(const StoredScan& scan, std::vector<PackedPoint>& out) const;
   /// Another place of the same kind as that of the points. @returns kIo.
   [[nodiscard]] Expected<SpillFile> new_spill() const { return spill_.another(); }
-  /// Gives the room of a scan's points back.
-  void drop_points(const StoredScan& scan);
 
  private:
   std::size_t max_points_per_scan_;

@@ -4,6 +4,7 @@
 #include <hybridfusion/lidar/mapper.hpp>
 
 #include <algorithm>
+#include <filesystem>
 #include <stop_token>
 
 #include <gtest/gtest.h>
@@ -50,16 +51,42 @@ TEST(LidarMapper, MapsADriveToCentimetres) {
 
 TEST(LidarMapper, GivesTheSameBytesAtAnyThreadCount) {
   const auto one = map_drive({}, {.num_threads = 1});
-  const auto two = map_drive({}, {.num_threads = 2});
-  ASSERT_TRUE(one && two);
-  ASSERT_EQ(one->map.size(), two->map.size());
-  for (std::size_t i = 0; i < one->map.size(); ++i) {
-    ASSERT_EQ(one->map.points[i], two->map.points[i]);
+  ASSERT_TRUE(one);
+  for (const int num_threads : {2, 4}) {
+    const auto more = map_drive({}, {.num_threads = num_threads});
+    ASSERT_TRUE(more);
+    ASSERT_EQ(one->map.points, more->map.points);
+    for (std::size_t i = 0; i < one->trajectory.poses.size(); ++i) {
+      ASSERT_EQ(one->trajectory.poses[i].map_from_body.translation,
+                more->trajectory.poses[i].map_from_body.translation);
+    }
   }
-  for (std::size_t i = 0; i < one->trajectory.poses.size(); ++i) {
-    ASSERT_EQ(one->trajectory.poses[i].map_from_body.translation,
-              two->trajectory.poses[i].map_from_body.translation);
-  }
+}
+
+TEST(LidarMapper, GivesTheSameMapThroughAScratchFolder) {
+  const auto in_memory = map_drive({}, {.num_threads = 1});
+  auto mapper =
+      LidarMapper::create({}, standard_drive().rig, std::filesystem::temp_directory_path());
+  ASSERT_TRUE(mapper);
+  for (SensorMessage& message : messages_of(standard_drive())) mapper->add(std::move(message));
+  std::size_t num_points = 0;
+  const auto streamed = mapper->finish({}, [&](const PointCloud& piece) -> Expected<void> {
+    num_points += piece.size();
+    return {};
+  });
+  ASSERT_TRUE(in_memory && streamed);
+  EXPECT_TRUE(streamed->map.empty());
+  EXPECT_EQ(num_points, in_memory->map.size());
+  EXPECT_EQ(streamed->num_map_points, num_points);
+}
+
+TEST(LidarMapper, PassesOnWhatItsSinkRefuses) {
+  auto mapper = LidarMapper::create({}, standard_drive().rig);
+  for (SensorMessage& message : messages_of(standard_drive())) mapper->add(std::move(message));
+  const auto result = mapper->finish(
+      {}, [](const PointCloud&) -> Expected<void> { return fail(ErrorCode::kIo, "disk full"); });
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().code, ErrorCode::kIo);
 }
 
 TEST(LidarMapper, StopsWhenAsked) {

@@ -1,4 +1,3 @@
-#include "dense_map.hpp"
 #include "imu_propagation.hpp"
 #include "levelling.hpp"
 #include "plane_adjustment.hpp"
@@ -34,9 +33,6 @@ TEST(ScanStore, KeepsEveryNthPointOfADenseScan) {
   std::vector<PackedPoint> points;
   ASSERT_TRUE(store.read(store.scans()[0], points));
   EXPECT_EQ(points.size(), 250U);
-  store.drop_points(store.scans()[0]);
-  ASSERT_TRUE(store.read(store.scans()[0], points));
-  EXPECT_TRUE(points.empty());
 }
 
 /// Points of three orthogonal walls seen by three segments, as clusters at the true poses.
@@ -153,27 +149,6 @@ TEST(FitGravity, IsSilentWithoutEnoughImuData) {
   for (auto& scan : scans) scan.since_last.bridged = true;
   EXPECT_FALSE(fit_gravity(scans));
   EXPECT_LT(level_map(scans), 1e-9);  // the filter's gravity: level already
-}
-
-TEST(DenseMap, MeansVoxelsAndDropsWhatOneScanAloneSaw) {
-  DenseMap map({.voxel_m = 0.1, .min_scans = 2});
-  map.add(0, {1.01F, 0.05F, 0.05F}, 10.0F, 0.0F);
-  map.add(3, {1.03F, 0.05F, 0.05F}, 20.0F, 3.0F);
-  map.add(3, {5.0F, 5.0F, 5.0F}, 1.0F, 3.0F);  // something that passed by
-  map.add(3, {5.1F, 5.0F, 5.0F}, 1.0F, 3.0F);
-  const PointCloud cloud = map.extract(from_seconds(100.0));
-  ASSERT_EQ(cloud.size(), 1U);
-  EXPECT_NEAR(cloud.points[0].x(), 1.02F, 1e-6F);
-  EXPECT_FLOAT_EQ(cloud.intensities[0], 15.0F);
-  EXPECT_EQ(cloud.times_s[0], 100.0);
-  EXPECT_TRUE(validate(cloud));
-}
-
-TEST(DenseMap, CountsNeighboursOfAnotherScanAsSupport) {
-  DenseMap map({.voxel_m = 0.1, .min_scans = 2});
-  map.add(0, {1.05F, 0.05F, 0.05F}, 0.0F, 0.0F);
-  map.add(1, {1.15F, 0.05F, 0.05F}, 0.0F, 0.1F);
-  EXPECT_EQ(map.extract({}).size(), 2U);
 }
 
 }  // namespace

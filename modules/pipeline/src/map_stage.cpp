@@ -33,8 +33,9 @@ std::int64_t expected_scans(const RecordingSummary& summary) {
 Expected<MappingResult> map_recording(ScanSource& source,
                                       const OdometryOptions& options,
                                       const LidarRig& rig,
+                                      const Workspace& workspace,
                                       const RunContext& ctx) {
-  HF_TRY(LidarMapper mapper, LidarMapper::create(options, rig));
+  HF_TRY(LidarMapper mapper, LidarMapper::create(options, rig, workspace.path("lidar")));
   const std::int64_t total = expected_scans(source.summary());
   std::int64_t scans = 0;
   while (true) {
@@ -46,12 +47,18 @@ Expected<MappingResult> map_recording(ScanSource& source,
     }
     mapper.add(*std::move(message));
   }
-  return mapper.finish(ctx);
+  HF_TRY(PlyPieceWriter map, PlyPieceWriter::create(workspace.path(workspace_file::kMap)));
+  auto mapping = mapper.finish(ctx, [&map](const PointCloud& piece) -> Expected<void> {
+    map.add(piece);
+    return {};
+  });
+  if (!mapping) return mapping;
+  if (auto written = map.commit(); !written) return std::unexpected(written.error());
+  return mapping;
 }
 
 Expected<void> write_map_files(const Workspace& workspace, const MappingResult& mapping) {
   auto written = write_tum(workspace.path(workspace_file::kTrajectory), mapping.trajectory);
-  if (written) written = write_ply(workspace.path(workspace_file::kMap), mapping.map);
   if (!written) return written;
   std::string csv = quality_csv_header() + "\n";
   for (const ScanQuality& quality : mapping.quality) csv += quality_csv_row(quality) + "\n";
@@ -91,7 +98,10 @@ StageResult describe(const MappingResult& mapping,
                      {"num_damaged_messages", recording.num_damaged_messages},
                      {"path_m", path_length_m(mapping.trajectory)},
                      {"mean_residual_m", residual_m},
-                     {"num_map_points", mapping.map.size()},
+                     {"num_map_points", mapping.num_map_points},
+                     {"num_loops", mapping.num_loops},
+                     {"loops_applied", mapping.loops_applied},
+                     {"max_loop_error_m", mapping.max_loop_error_m},
                      {"refine_iterations", mapping.refine_iterations},
                      {"refine_rms_before_m", mapping.refine_rms_before_m},
                      {"refine_rms_after_m", mapping.refine_rms_after_m},
@@ -103,7 +113,13 @@ StageResult describe(const MappingResult& mapping,
                                 path_length_m(mapping.trajectory),
                                 flagged,
                                 residual_m),
-                    fmt::format("{} map points", mapping.map.size())};
+                    fmt::format("{} map points", mapping.num_map_points)};
+  if (mapping.num_loops > 0) {
+    result.summary.push_back(
+        fmt::format("{} places passed twice agree; odometry alone left them open by up to {:.2f} m",
+                    mapping.num_loops,
+                    mapping.max_loop_error_m));
+  }
   if (recording.truncated) {
     result.summary.push_back("the recording is cut off; what precedes the cut was used");
   }
@@ -195,7 +211,9 @@ Expected<StageResult> map_into(Project& project,
   const Workspace& workspace = project.workspace;
   const LidarStageOptions& options = project.options.lidar;
   HF_TRY(const std::unique_ptr<ScanSource> source, open_recording(bag, setup.recording, ctx));
-  HF_TRY(const MappingResult mapping, map_recording(*source, setup.odometry, setup.rig, ctx));
+  if (auto made = workspace.make_folder("lidar"); !made) return std::unexpected(made.error());
+  HF_TRY(const MappingResult mapping,
+         map_recording(*source, setup.odometry, setup.rig, workspace, ctx));
   const RecordingSummary recording = source->summary();
   for (const std::string& warning : recording.warnings) {
     ctx.warn(fmt::format("{}: {}", bag.string(), warning));
@@ -205,7 +223,6 @@ Expected<StageResult> map_into(Project& project,
     ctx.warn(
         fmt::format("{}: the recording is cut off; what precedes the cut is used", bag.string()));
   }
-  if (auto made = workspace.make_folder("lidar"); !made) return std::unexpected(made.error());
   HF_TRY(const Json gnss,
          place_by_gnss(workspace, mapping, setup.rig.gnss_antenna_in_imu, options.gnss, ctx));
   if (auto written = write_map_files(workspace, mapping); !written) {

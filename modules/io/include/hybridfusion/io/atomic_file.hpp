@@ -31,6 +31,9 @@ class AtomicFile {
   void write(std::span<const std::byte> bytes);
   void write(std::string_view text);
 
+  /// Replaces the first bytes by as many others. @pre at least that much was written.
+  void overwrite_start(std::string_view text);
+
   /// Makes the file visible. @returns kIo with path, bytes written and reason (e.g. disk full).
   [[nodiscard]] Expected<void> commit();
 

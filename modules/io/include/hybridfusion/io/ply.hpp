@@ -3,6 +3,7 @@
 #include <hybridfusion/core/error.hpp>
 #include <hybridfusion/core/point_cloud.hpp>
 #include <hybridfusion/core/triangle_mesh.hpp>
+#include <hybridfusion/io/atomic_file.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -10,6 +11,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace hybridfusion {
@@ -58,5 +60,25 @@ struct PlyTable {
 [[nodiscard]] Expected<void> write_ply(const std::filesystem::path& path,
                                        const PointCloud& cloud,
                                        const PlyWriteOptions& options = {});
+
+/// A binary PLY cloud that comes in pieces: like write_ply of their concatenation, without holding
+/// it. The file appears when commit() is called.
+class PlyPieceWriter {
+ public:
+  /// @returns kIo.
+  [[nodiscard]] static Expected<PlyPieceWriter> create(const std::filesystem::path& path);
+  /// @pre validate(piece); every piece has the channels of the first.
+  void add(const PointCloud& piece);
+  [[nodiscard]] std::size_t size() const { return num_points_; }
+  /// @returns kIo.
+  [[nodiscard]] Expected<void> commit();
+
+ private:
+  explicit PlyPieceWriter(AtomicFile file) : file_(std::move(file)) {}
+
+  AtomicFile file_;
+  std::size_t num_points_ = 0;
+  PointCloud channels_ = {};  // one point with the channels of all
+};
 
 }  // namespace hybridfusion

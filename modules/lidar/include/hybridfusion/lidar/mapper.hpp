@@ -7,6 +7,7 @@
 #include <hybridfusion/lidar/odometry.hpp>
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -16,8 +17,9 @@ namespace hybridfusion {
 /// A mapped drive. The map frame: origin at the first IMU position, z up, heading of the first
 /// IMU x axis.
 struct MappingResult {
-  Trajectory trajectory = {};             ///< map_from_imu at the end of each scan.
-  PointCloud map = {};                    ///< L: points, intensities, times_s in the map frame.
+  Trajectory trajectory = {};  ///< map_from_imu at the end of each scan.
+  PointCloud map = {};         ///< L: points, intensities, times_s in the map frame.
+  std::size_t num_map_points = 0;
   std::vector<ScanQuality> quality = {};  ///< One for each pose.
   /// One for each pose, before refinement: [translation in map; rotation in the IMU frame].
   std::vector<Eigen::Matrix<double, 6, 6>> covariances = {};
@@ -34,6 +36,9 @@ struct MappingResult {
   double level_correction_rad = 0.0;       ///< Turn that made the first level estimate final.
   std::vector<std::string> warnings = {};  ///< What a user should know, in full sentences.
 };
+
+/// Takes a piece of the map (points, intensities, times_s); an error ends the mapping with it.
+using MapSink = std::function<Expected<void>(const PointCloud& piece)>;
 
 /// "time,points,matched,mean_residual_m,min_information,flags", and a row of it.
 [[nodiscard]] std::string quality_csv_header();
@@ -60,6 +65,9 @@ class LidarMapper {
   /// @returns kInsufficient without IMU samples, scans or a single point in the map; kCancelled;
   /// kIo when the scratch folder fills up.
   [[nodiscard]] Expected<MappingResult> finish(const RunContext& ctx);
+  /// The same with the map handed to `sink` piece by piece, `map` staying empty: however long the
+  /// drive, only one piece of at most 26 x 26 m (at the default voxel) is in memory.
+  [[nodiscard]] Expected<MappingResult> finish(const RunContext& ctx, const MapSink& sink);
 
  private:
   struct Impl;

@@ -337,6 +337,8 @@ struct OptionFields<LidarRefineOptions> {
 struct DenseMapOptions {
   double voxel_m = 0.1;
   int min_scans = 2;
+  double max_brief_s = 3.0;
+  int min_rays_through = 2;
   double max_range_m = 80.0;
 };
 template <>
@@ -356,7 +358,22 @@ struct OptionFields<DenseMapOptions> {
              .min = 1,
              .max = 100,
              .doc = "A voxel stays when it and its neighbours were hit in this many scans: drops "
-                    "what moved and stray returns.",
+                    "stray returns.",
+             .source = "ours"}},
+      Field{&T::max_brief_s,
+            {.key = "max_brief_s",
+             .unit = "s",
+             .min = 0.0,
+             .max = 3600.0,
+             .doc = "A voxel above the ground that was hit for no longer than this moved when rays "
+                    "of other scans went through it: it is dropped. 0: keep what moves.",
+             .source = "after Schauer and Nuechter 2018, the people remover"}},
+      Field{&T::min_rays_through,
+            {.key = "min_rays_through",
+             .unit = "1",
+             .min = 1,
+             .max = 100,
+             .doc = "Scans that must have seen through such a voxel.",
              .source = "ours"}},
       Field{&T::max_range_m,
             {.key = "max_range_m",
