@@ -126,9 +126,10 @@ void add_view_command(CLI::App& app, Command& chosen) {
       ->check(CLI::Range(0, 65535))
       ->capture_default_str();
   command->add_flag("--no-browser", arguments->no_browser, "Only print the address");
-  command->footer(help_footer("hybridfusion view result/",
-                              "WORKSPACE: what run, reconstruct, map or register made",
-                              "WORKSPACE/cache/: octrees of the clouds, made once; nothing else is touched"));
+  command->footer(
+      help_footer("hybridfusion view result/",
+                  "WORKSPACE: what run, reconstruct, map or register made",
+                  "WORKSPACE/cache/: octrees of the clouds, made once; nothing else is touched"));
   command->callback([arguments, &chosen] {
     chosen = [arguments](Session& session) { return view(*arguments, session); };
   });

@@ -118,6 +118,13 @@ Expected<PlacedCloud> LasCollector::finish(const InputFile& file) && {
     result_.warnings.emplace_back("times count from the start of a week; they are left out");
   }
   result_.crs = header_.crs;
+  if (result_.crs.metres_per_unit != 1.0) {
+    // What the system says of its unit no longer holds.
+    result_.crs.wkt.clear();
+    result_.warnings.push_back(
+        fmt::format("its unit of {:.6g} m became metres; the coordinate system is left out",
+                    result_.crs.metres_per_unit));
+  }
   return std::move(result_);
 }
 

@@ -85,11 +85,7 @@ Expected<bool> write_placed_cloud(const std::filesystem::path& path, const Place
   if (extension == ".xyz") {
     written = write_xyz(path, placed.cloud, placed.offset_m);
   } else if (extension == ".las") {
-    const bool metric = placed.crs.metres_per_unit == 1.0;
-    written =
-        write_las(path,
-                  placed.cloud,
-                  {.offset_m = placed.offset_m, .wkt = metric ? placed.crs.wkt : std::string()});
+    written = write_las(path, placed.cloud, {.offset_m = placed.offset_m, .wkt = placed.crs.wkt});
   } else {
     written = write_point_cloud(path, placed.cloud);
   }

@@ -30,11 +30,12 @@ Expected<ScratchFile> ScratchFile::create(const std::filesystem::path& folder) {
     descriptor = ::mkostemp(name.data(), O_CLOEXEC);
   }
   if (descriptor < 0) {
-    return fail(ErrorCode::kIo,
-                fmt::format("{}: no temporary file can be made: {}; set recording.scratch_folder "
-                            "to a folder that can be written",
-                            folder.string(),
-                            std::strerror(errno)));
+    return fail(
+        ErrorCode::kIo,
+        fmt::format("{}: no temporary file can be made: {}; set lidar.recording.scratch_folder "
+                    "to a folder that can be written",
+                    folder.string(),
+                    std::strerror(errno)));
   }
   return ScratchFile(folder, descriptor, std::move(name));
 }
@@ -59,19 +60,23 @@ ScratchFile::~ScratchFile() {
 }
 
 Expected<std::filesystem::path> ScratchFile::give_name() {
-  if (name_.empty()) {
-    const std::string own = fmt::format("/proc/self/fd/{}", descriptor_);
-    std::string name =
-        (folder_ / fmt::format("{}{}-{}", kPrefix, ::getpid(), descriptor_)).string();
-    if (::linkat(AT_FDCWD, own.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) != 0) {
-      return fail(ErrorCode::kIo,
-                  fmt::format("{}: {}; set recording.scratch_folder to another folder",
-                              name,
-                              std::strerror(errno)));
+  if (!name_.empty()) return name_;
+  const std::string own = fmt::format("/proc/self/fd/{}", descriptor_);
+  // A name may be taken by a process of the same number that was killed.
+  constexpr int kMaxTries = 100;
+  for (int i = 0; i < kMaxTries; ++i) {
+    std::string name = (folder_ / fmt::format("{}{}-{}", kPrefix, ::getpid(), i)).string();
+    if (::linkat(AT_FDCWD, own.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0) {
+      name_ = std::move(name);
+      return name_;
     }
-    name_ = std::move(name);
+    if (errno != EEXIST) break;
   }
-  return name_;
+  return fail(ErrorCode::kIo,
+              fmt::format("{}: the unpacked recording cannot be opened: {}; set "
+                          "lidar.recording.scratch_folder to another folder",
+                          folder_.string(),
+                          std::strerror(errno)));
 }
 
 void ScratchFile::drop_name() {
@@ -86,7 +91,7 @@ Expected<void> ScratchFile::write(std::span<const std::byte> bytes) {
     if (done < 0) {
       return fail(ErrorCode::kIo,
                   fmt::format("{}: unpacking stopped after {} bytes: {}; free space there or set "
-                              "recording.scratch_folder to a larger disk",
+                              "lidar.recording.scratch_folder to a larger disk",
                               folder_.string(),
                               written_,
                               std::strerror(errno)));

@@ -50,12 +50,17 @@ using Statement = std::unique_ptr<sqlite3_stmt, decltype(&sqlite3_finalize)>;
   return database;
 }
 
-/// Messages that a recorder did not get to move into the database lie in "<file>-wal". Reading them
-/// needs a helper file of SQLite's beside it; without, the database is read as it lies.
-[[nodiscard]] Database open_database(const std::filesystem::path& path) {
+/// Messages that a killed recorder did not get to move into the database.
+[[nodiscard]] bool has_log(const std::filesystem::path& path) {
   std::error_code code;
-  const auto wal_bytes = std::filesystem::file_size(path.string() + "-wal", code);
-  if (!code && wal_bytes > 0) {
+  const auto bytes = std::filesystem::file_size(path.string() + "-wal", code);
+  return !code && bytes > 0;
+}
+
+/// Reading "<file>-wal" needs a helper file of SQLite's beside it; without one, and without a log,
+/// the database is read as it lies.
+[[nodiscard]] Database open_database(const std::filesystem::path& path) {
+  if (has_log(path)) {
     Database database = open_uri(as_uri(path, "?mode=ro"));
     if (database && prepare(database.get(), "SELECT 1 FROM sqlite_master")) return database;
   }
@@ -72,6 +77,11 @@ using Statement = std::unique_ptr<sqlite3_stmt, decltype(&sqlite3_finalize)>;
 }  // namespace
 
 struct SqliteBag::State {
+  State() = default;
+  State(const State&) = delete;
+  State& operator=(const State&) = delete;
+  ~State();
+
   std::filesystem::path name = {};
   Database database{nullptr, &sqlite3_close};
   Statement query{nullptr, &sqlite3_finalize};
@@ -79,6 +89,7 @@ struct SqliteBag::State {
   std::optional<std::vector<std::string>> topics = {};
   bool truncated = false;
   std::vector<std::string> warnings = {};
+  std::filesystem::path helper = {};  ///< SQLite's, if it was not there before.
 
   [[nodiscard]] std::unexpected<Error> malformed() const {
     return fail(ErrorCode::kParse,
@@ -100,6 +111,13 @@ struct SqliteBag::State {
   void count_messages();
   [[nodiscard]] Expected<void> start_query();
 };
+
+SqliteBag::State::~State() {
+  query.reset();
+  database.reset();
+  std::error_code ignored;
+  if (!helper.empty()) std::filesystem::remove(helper, ignored);
+}
 
 Expected<void> SqliteBag::State::read_topics() {
   if (!has("table", "name", "topics") || !has("table", "name", "messages")) return malformed();
@@ -164,6 +182,9 @@ Expected<SqliteBag> SqliteBag::open(const std::filesystem::path& path,
   HF_TRY(const InputFile readable, InputFile::open(path, name));
   auto state = std::make_unique<State>();
   state->name = readable.path();
+  const std::filesystem::path helper = path.string() + "-shm";
+  std::error_code code;
+  if (has_log(path) && !std::filesystem::exists(helper, code)) state->helper = helper;
   state->database = open_database(path);
   if (!state->database) {
     return readable.malformed("SQLite cannot open it", "copy or record it again");

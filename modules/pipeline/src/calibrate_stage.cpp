@@ -112,7 +112,8 @@ Expected<StageOutcome> calibrate_stage(Project& project,
     plan.inputs.push_back(*setup.sensors_path);
   }
   return run_stage(project, plan, ctx, [&]() -> Expected<StageResult> {
-    HF_TRY(const RigCalibration calibration, calibrate_recording(project.options.lidar, bag, setup, ctx));
+    HF_TRY(const RigCalibration calibration,
+           calibrate_recording(project.options.lidar, bag, setup, ctx));
     SensorConfig calibrated = setup.sensors;
     calibrated.imu_from_lidar = calibration.imu_from_lidar;
     calibrated.imu_time_offset_s = calibration.imu_time_offset_s;

@@ -2,7 +2,6 @@
 
 #include <hybridfusion/core/photo.hpp>
 #include <hybridfusion/io/colmap_model.hpp>
-#include <hybridfusion/vision/camera.hpp>
 #include <hybridfusion/vision/gnss_ingest.hpp>
 #include <hybridfusion/vision/reconstruction.hpp>
 
@@ -25,9 +24,5 @@ namespace hybridfusion {
 
 /// The files of the model that are read.
 [[nodiscard]] std::vector<std::filesystem::path> pose_files(const std::filesystem::path& folder);
-
-/// Intrinsics of a COLMAP camera; its pixels move by half a pixel.
-/// @returns kInvalidOptions naming the model for one with two focal lengths or further distortion.
-[[nodiscard]] Expected<CameraIntrinsics> intrinsics_of(const ColmapCamera& camera);
 
 }  // namespace hybridfusion

@@ -20,7 +20,8 @@ struct RecordingSetup {
   LidarRig rig = {};
 };
 
-/// @param sensors  Absent: sensors.yaml beside the recording when it exists. Scratch files go to the
+/// @param sensors  Absent: sensors.yaml beside the recording when it exists. Scratch files go to
+/// the
 ///                 workspace unless an option names another folder.
 /// @returns what reading sensors.yaml returns.
 [[nodiscard]] Expected<RecordingSetup> recording_setup(

@@ -1,11 +1,11 @@
 #include "vision_files.hpp"
 
+#include "colmap_intrinsics.hpp"
+
 #include <algorithm>
 
 namespace hybridfusion {
 namespace {
-
-constexpr double kColmapShift_px = 0.5;
 
 ColmapCamera colmap_camera(const CameraIntrinsics& camera, std::uint32_t id) {
   const double cx = camera.principal_point_px.x() + kColmapShift_px;

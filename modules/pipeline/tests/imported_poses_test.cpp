@@ -1,5 +1,6 @@
 #include "imported_poses.hpp"
 
+#include "colmap_intrinsics.hpp"
 #include "vision_files.hpp"
 #include "workspace_data.hpp"
 

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <hybridfusion/io/colmap_model.hpp>
+#include <hybridfusion/vision/camera.hpp>
+
+namespace hybridfusion {
+
+/// COLMAP puts the first pixel's centre at (0.5, 0.5), this library at (0, 0).
+inline constexpr double kColmapShift_px = 0.5;
+
+/// Intrinsics of a COLMAP camera; its pixels move by half a pixel.
+/// @returns kInvalidOptions naming the model for one with two focal lengths or further distortion.
+[[nodiscard]] Expected<CameraIntrinsics> intrinsics_of(const ColmapCamera& camera);
+
+}  // namespace hybridfusion
