@@ -87,11 +87,11 @@ void take_record(std::string_view user,
       citation = printable(records.geo_ascii.substr(value, length));
     }
   }
-  CrsDescription crs;
+  CrsDescription crs = {.name = citation};
   if (const int code = projected != 0 ? projected : geographic; code != 0) {
-    if (auto known = describe_crs(code)) return *known;
+    crs = describe_crs(code).value_or(crs);
   }
-  crs.name = citation;
+  // Files in feet often carry the code of the metric system and say so only here.
   if (units == 9002) crs.metres_per_unit = 0.3048;
   if (units == 9003) crs.metres_per_unit = 1200.0 / 3937.0;  // US survey foot
   return crs;

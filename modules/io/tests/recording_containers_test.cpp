@@ -193,6 +193,31 @@ TEST(RecordingContainers, Db3AndRos2FoldersGiveTheSame) {
   expect_same(expected, mcap);
 }
 
+TEST(RecordingContainers, Db3OfAKilledRecorderIsReadWithItsLogAndLeftAlone) {
+  const TempFolder folder;
+  const Content expected = reference(folder);
+  const TestRecording recording = street();
+  const auto open_path = folder.path() / "open.db3";
+  testing::write_db3(open_path, recording, 0, 0);
+  sqlite3* db = nullptr;
+  sqlite3_open(open_path.c_str(), &db);
+  // Having read once, this connection keeps the log alive when the writer closes.
+  sqlite3_exec(
+      db, "PRAGMA journal_mode=WAL; SELECT count(*) FROM messages", nullptr, nullptr, nullptr);
+  testing::write_db3(open_path, recording, 0, recording.messages.size());
+  // As a kill leaves it: the messages are in the log only.
+  std::filesystem::create_directory(folder.path() / "killed");
+  const auto killed = folder.path() / "killed/a.db3";
+  std::filesystem::copy_file(open_path, killed);
+  std::filesystem::copy_file(open_path.string() + "-wal", killed.string() + "-wal");
+  sqlite3_close(db);
+  const std::string before = testing::content_of(killed);
+  expect_same(expected, killed);
+  EXPECT_EQ(testing::content_of(killed), before);
+  const auto files = std::distance(std::filesystem::directory_iterator(killed.parent_path()), {});
+  EXPECT_EQ(files, 2);
+}
+
 TEST(RecordingContainers, FolderOfPcdScansGivesTheSameWithTimesInNamesOrInAFile) {
   const TempFolder folder;
   const Content expected = reference(folder);
