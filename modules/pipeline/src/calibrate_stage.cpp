@@ -5,6 +5,7 @@
 
 #include <hybridfusion/io/atomic_file.hpp>
 #include <hybridfusion/lidar/calibration.hpp>
+#include <hybridfusion/pipeline/pipeline_options.hpp>
 #include <hybridfusion/pipeline/stages.hpp>
 
 #include <memory>

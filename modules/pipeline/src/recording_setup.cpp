@@ -2,6 +2,8 @@
 
 #include "recording_choice.hpp"
 
+#include <hybridfusion/pipeline/pipeline_options.hpp>
+
 namespace hybridfusion {
 namespace {
 

@@ -63,23 +63,6 @@ ColmapModel colmap_model_of(const Reconstruction& reconstruction) {
   return model;
 }
 
-std::optional<CameraIntrinsics> intrinsics_of(const ColmapCamera& camera) {
-  const std::vector<double>& p = camera.params;
-  const bool is_full = camera.model == "FULL_OPENCV" && p.size() == 12;
-  if (!is_full && !(camera.model == "OPENCV" && p.size() == 8)) return std::nullopt;
-  if (!(p[0] > 0.0)) return std::nullopt;
-  return CameraIntrinsics{
-      .width_px = camera.width_px,
-      .height_px = camera.height_px,
-      .focal_px = p[0],
-      .principal_point_px = Eigen::Vector2d(p[2] - kColmapShift_px, p[3] - kColmapShift_px),
-      .k1 = p[4],
-      .k2 = p[5],
-      .k3 = is_full ? p[8] : 0.0,
-      .p1 = p[6],
-      .p2 = p[7]};
-}
-
 std::vector<PositionRow> position_rows(const Reconstruction& reconstruction,
                                        const std::vector<QuarantinedPhoto>& quarantined) {
   std::vector<PositionRow> rows;

@@ -6,7 +6,6 @@
 #include <hybridfusion/io/photo_folder.hpp>
 #include <hybridfusion/vision/reconstruction.hpp>
 
-#include <optional>
 #include <vector>
 
 namespace hybridfusion {
@@ -14,10 +13,6 @@ namespace hybridfusion {
 /// Registered photos and scene points as a COLMAP model: identifiers count from 1 and pixels move
 /// by half a pixel, because COLMAP puts the first pixel's centre at (0.5, 0.5).
 [[nodiscard]] ColmapModel colmap_model_of(const Reconstruction& reconstruction);
-
-/// The way back for cameras as colmap_model_of writes them (OPENCV, FULL_OPENCV with equal focal
-/// lengths); nothing for another model.
-[[nodiscard]] std::optional<CameraIntrinsics> intrinsics_of(const ColmapCamera& camera);
 
 /// One row per photo of the folder, damaged ones included, in order of name.
 [[nodiscard]] std::vector<PositionRow> position_rows(

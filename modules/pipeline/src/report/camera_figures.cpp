@@ -1,4 +1,4 @@
-#include "../vision_files.hpp"
+#include "../colmap_intrinsics.hpp"
 #include "chart.hpp"
 #include "html.hpp"
 #include "report_data.hpp"
