@@ -11,8 +11,9 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <numbers>
+#include <sstream>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -40,7 +41,9 @@ class Report : public ::testing::Test {
     const auto written = write_report(project, {});
     EXPECT_TRUE(written) << written.error().message;
     std::ifstream file(root_ / "report/index.html");
-    return {std::istreambuf_iterator<char>(file), {}};
+    std::ostringstream text;
+    text << file.rdbuf();
+    return std::move(text).str();
   }
 
   std::filesystem::path root_ = {};

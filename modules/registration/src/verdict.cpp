@@ -75,7 +75,7 @@ std::vector<Factor> weigh(const Evidence& e, const VerdictOptions& o) {
        fmt::format("{:.2f} of the LiDAR ground lies inside vision buildings (limit {:.2f})",
                    e.best.free_violations,
                    o.max_free_violations)},
-      {e.patches_tried < kMinVoters
+      {e.patches_tried < kMinVoters || o.min_patch_share == 0.0
            ? 1.0
            : ramp(e.patch_share, o.min_patch_share, o.min_patch_share + 0.25),
        fmt::format("registered alone, only {:.2f} of {} patches stay at the pose (limit {:.2f})",
