@@ -114,9 +114,9 @@ void write_vision(const std::filesystem::path& root, Random& random) {
     std::string quoted = image.name;
     for (std::size_t q = 0; (q = quoted.find('"', q)) != std::string::npos; q += 2)
       quoted.insert(q, 1, '"');
-    positions += "\"" + quoted + "\",1";
+    positions.append("\"").append(quoted).append("\",1");
     for (const auto& p : {at, gnss}) {
-      for (const double value : p) positions += "," + std::to_string(value);
+      for (const double value : p) positions.append(",").append(std::to_string(value));
     }
     positions += ",1.0,1.0,\n";
     model.images.push_back(image);
