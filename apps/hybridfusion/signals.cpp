@@ -1,20 +1,23 @@
 #include "signals.hpp"
 
+#include <atomic>
+#include <chrono>
 #include <csignal>
-#include <ctime>
 
-#include <pthread.h>
 #include <unistd.h>
 
 namespace hybridfusion::cli {
 namespace {
 
-sigset_t ending_signals() {
-  sigset_t set;
-  sigemptyset(&set);
-  sigaddset(&set, SIGINT);
-  sigaddset(&set, SIGTERM);
-  return set;
+/// The first signal that asked the process to end. Global because a handler has no other way.
+std::atomic<int> first_signal = 0;
+static_assert(std::atomic<int>::is_always_lock_free);
+
+/// Handlers and not a blocked mask with sigwait: libraries start threads before main (OpenBLAS
+/// does), which leave the signals unblocked and would let the default action kill the process.
+void on_signal(int number) {
+  int none = 0;
+  if (!first_signal.compare_exchange_strong(none, number)) _exit(128 + number);
 }
 
 }  // namespace
@@ -22,22 +25,25 @@ sigset_t ending_signals() {
 SignalWatch::SignalWatch() {
   // A file that grows past a limit is then an error of write(), told with path and bytes.
   ::signal(SIGXFSZ, SIG_IGN);
-  const sigset_t set = ending_signals();
-  pthread_sigmask(SIG_BLOCK, &set, nullptr);
+  struct sigaction action = {};
+  action.sa_handler = on_signal;
+  action.sa_flags = SA_RESTART;
+  sigemptyset(&action.sa_mask);
+  for (const int number : {SIGINT, SIGTERM}) sigaction(number, &action, nullptr);
   watcher_ = std::jthread([this](const std::stop_token& end) { watch(end); });
 }
 
 SignalWatch::~SignalWatch() = default;
 
+int SignalWatch::signal() const {
+  return first_signal;
+}
+
 void SignalWatch::watch(const std::stop_token& end) {
-  const sigset_t set = ending_signals();
-  constexpr timespec kPoll{.tv_sec = 0, .tv_nsec = 100'000'000};
+  constexpr std::chrono::milliseconds kPoll{50};
   while (!end.stop_requested()) {
-    const int number = sigtimedwait(&set, nullptr, &kPoll);
-    if (number <= 0) continue;
-    if (signal_ != 0) _exit(128 + number);
-    signal_ = number;
-    stop_.request_stop();
+    if (first_signal != 0) stop_.request_stop();
+    std::this_thread::sleep_for(kPoll);
   }
 }
 

@@ -27,6 +27,16 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
+/// The page without its encoded pictures, in which any three letters occur.
+std::string without_pictures(std::string html) {
+  const std::string begin = "base64,";
+  for (std::size_t at = 0; (at = html.find(begin, at)) != std::string::npos; at += begin.size()) {
+    const std::size_t from = at + begin.size();
+    html.erase(from, html.find_first_of("'\"", from) - from);
+  }
+  return html;
+}
+
 class Report : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -68,7 +78,7 @@ TEST_F(Report, ShowsEveryFigureOfACompleteWorkspaceAndNamesItsFile) {
   }
   EXPECT_THAT(html, HasSubstr("<code>vision/positions.csv</code>"));
   EXPECT_THAT(html, HasSubstr("peak memory [MiB]"));
-  EXPECT_THAT(html, AllOf(Not(HasSubstr("nan")), Not(HasSubstr("inf "))));
+  EXPECT_THAT(without_pictures(html), AllOf(Not(HasSubstr("nan")), Not(HasSubstr("inf "))));
 }
 
 TEST_F(Report, IsOneFileWithoutScriptsAndEscapesNames) {
