@@ -166,6 +166,35 @@ Expected<void> write_fused(const Workspace& workspace,
   return write_las(workspace.path(workspace_file::kFusedLas), fused, las);
 }
 
+/// What the user reads of an accepted registration, a line each.
+std::vector<std::string> summary_of(const RegistrationResult& result,
+                                    const FuseResult& fused,
+                                    bool rescaled,
+                                    double seconds) {
+  std::vector<std::string> lines = {
+      fmt::format(
+          "method {}, confidence {:.2f}, {:.1f} s", result.method, result.confidence, seconds),
+      result.vision_scale_supported
+          ? fmt::format("photo model scale {:+.3f} % against the LiDAR cloud{}",
+                        100.0 * (1.0 / result.vision_scale - 1.0),
+                        rescaled ? ", corrected in the fused cloud" : "")
+          : std::string("photo model scale could not be told from the LiDAR cloud"),
+      fmt::format("{} fused points; {} vision and {} LiDAR points were doubles",
+                  fused.cloud.size(),
+                  fused.vision_dropped,
+                  fused.lidar_dropped)};
+  if (result.drift.supported) {
+    lines.push_back(
+        fmt::format("LiDAR cloud bent by up to {:.2f} m along the drive, straightened in the fused "
+                    "cloud: held-out distances {:.3f} -> {:.3f} m",
+                    result.drift.size_m,
+                    result.drift.held_out_before_m,
+                    result.drift.held_out_after_m));
+  }
+  if (!result.reason.empty()) lines.push_back(result.reason);
+  return lines;
+}
+
 Expected<StageResult> register_into(Project& project,
                                     const RegisterInputs& inputs,
                                     const Companions& companions,
@@ -211,30 +240,7 @@ Expected<StageResult> register_into(Project& project,
     json["num_fused_points"] = fused.cloud.size();
     json["num_vision_points_dropped"] = fused.vision_dropped;
     json["num_lidar_points_dropped"] = fused.lidar_dropped;
-    stage.summary = {
-        fmt::format("method {}, confidence {:.2f}, {:.1f} s",
-                    result.method,
-                    result.confidence,
-                    seconds.count()),
-        fmt::format("photo model scale {}",
-                    result.vision_scale_supported
-                        ? fmt::format("{:+.3f} % against the LiDAR cloud{}",
-                                      100.0 * (1.0 / result.vision_scale - 1.0),
-                                      rescale.scale != 1.0 ? ", corrected in the fused cloud" : "")
-                        : std::string("could not be told from the LiDAR cloud")),
-        fmt::format("{} fused points; {} vision and {} LiDAR points were doubles",
-                    fused.cloud.size(),
-                    fused.vision_dropped,
-                    fused.lidar_dropped)};
-    if (result.drift.supported) {
-      stage.summary.push_back(fmt::format(
-          "LiDAR cloud bent by up to {:.2f} m along the drive, straightened in the fused "
-          "cloud: held-out distances {:.3f} -> {:.3f} m",
-          result.drift.size_m,
-          result.drift.held_out_before_m,
-          result.drift.held_out_after_m));
-    }
-    if (!result.reason.empty()) stage.summary.push_back(result.reason);
+    stage.summary = summary_of(result, fused, rescale.scale != 1.0, seconds.count());
   }
   if (auto made = workspace.make_folder("registration"); !made) {
     return std::unexpected(made.error());
