@@ -1,5 +1,6 @@
 // Five kinds of simulated drive through module B, one process a run, one table. See --help.
 #include "drive_table.hpp"
+#include "settings.hpp"
 
 #include <hybridfusion/simulation/simulate.hpp>
 
@@ -36,20 +37,10 @@ bool wanted(const std::vector<std::string>& names, std::string_view name) {
   return names.empty() || std::ranges::find(names, name) != names.end();
 }
 
-Expected<void> apply(const std::vector<std::string>& settings, OdometryOptions& options) {
-  for (const std::string& setting : settings) {
-    const std::size_t equals = std::min(setting.find('='), setting.size());
-    const std::string value = setting.substr(std::min(equals + 1, setting.size()));
-    auto set = set_option(options, setting.substr(0, equals), value);
-    if (!set) return set;
-  }
-  return {};
-}
-
 int run_child(const Arguments& arguments) {
   for (Variant variant : variants()) {
     if (!wanted(arguments.runs, variant.name)) continue;
-    if (auto applied = apply(arguments.settings, variant.options); !applied) {
+    if (auto applied = apply_settings(arguments.settings, variant.options); !applied) {
       std::cerr << applied.error().message << '\n';
       return 2;
     }

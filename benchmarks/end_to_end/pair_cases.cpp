@@ -95,9 +95,9 @@ void add_drift(SceneClouds& clouds, double drift, Random& random) {
   }
 }
 
-/// A bend that an odometry without loop closure leaves: smooth in the way driven, no trend.
+/// A bend that an odometry leaves: smooth over some 200 m of way.
 void add_wander(SceneClouds& clouds, double size_m, Random& random) {
-  const double length_m = random.uniform(100.0, 200.0);
+  const double length_m = random.uniform(150.0, 300.0);
   const std::array<double, 3> phases = {
       random.uniform(0.0, 6.28), random.uniform(0.0, 6.28), random.uniform(0.0, 6.28)};
   for (std::size_t i = 0; i < clouds.lidar.size(); ++i) {

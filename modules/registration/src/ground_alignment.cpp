@@ -55,6 +55,14 @@ Rigid3 lift(const PlanarPose& pose,
   return vision_from_lidar;
 }
 
+PlanarPose planar_of(const Rigid3& pose, const PlanarPattern& pattern, double overhang_m) {
+  PlanarPose planar{.yaw_rad = split_heading(pose.rotation).yaw_rad, .overhang_m = overhang_m};
+  const Eigen::Vector3d centre(pattern.centre.x(), pattern.centre.y(), 0.0);
+  const Eigen::AngleAxisd heading(planar.yaw_rad, Eigen::Vector3d::UnitZ());
+  planar.position = (pose.translation + heading * centre).head<2>();
+  return planar;
+}
+
 HeadingTilt split_heading(const Eigen::Quaterniond& rotation) {
   const Eigen::Matrix3d full = rotation.toRotationMatrix();
   const double yaw_rad = std::atan2(full(1, 0) - full(0, 1), full(0, 0) + full(1, 1));

@@ -16,6 +16,11 @@ namespace hybridfusion {
                           const Eigen::Matrix3d& tilt,
                           double height_m);
 
+/// The planar pose of `pattern` under `pose`: the inverse of lift, with the overhang kept.
+[[nodiscard]] PlanarPose planar_of(const Rigid3& pose,
+                                   const PlanarPattern& pattern,
+                                   double overhang_m);
+
 /// A rotation R = Rz(yaw) * tilt.
 struct HeadingTilt {
   double yaw_rad = 0.0;

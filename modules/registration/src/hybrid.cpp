@@ -103,7 +103,7 @@ Expected<FineResult> align_finely(FineInputs& inputs,
   const bool is_found = fine.horizontal_updated &&
                         agrees(fine.vision_from_lidar, place.vision_from_leveled, centroid);
   if (!options.drift.enabled || !is_found) return fine;
-  const auto finding = find_drift(inputs, clouds, lidar, input, fine.similarity, options, ctx);
+  const auto finding = find_drift(inputs, clouds, lidar, input, fine, options, ctx);
   if (!finding) {
     if (finding.error().code == ErrorCode::kCancelled) return std::unexpected(finding.error());
     return fine;  // too little of the drive is known or seen: no drift to speak of
@@ -135,13 +135,14 @@ Evidence outline_evidence(const std::vector<OutlinePlace>& places,
 Expected<void> take_votes(FineInputs& inputs,
                           const PreparedClouds& clouds,
                           const Rigid3& vision_from_leveled,
+                          double overhang_m,
                           const RegistrationOptions& options,
                           const RunContext& ctx,
                           Evidence& evidence,
                           RegistrationResult& result) {
   if (!options.votes.enabled) return {};
   HF_TRY(PatchVotes votes,
-         vote_by_patches(inputs, clouds, vision_from_leveled, options.fine, options.votes, ctx));
+         vote_by_patches(inputs, clouds, vision_from_leveled, overhang_m, options, ctx));
   for (PatchMatch& match : votes.patches) {
     match.vision_from_lidar = from_leveled(match.vision_from_lidar, clouds);
   }
@@ -198,7 +199,8 @@ Expected<RegistrationResult> register_hybrid(const PreparedClouds& clouds,
     result.drift.supported = false;  // it was measured about a pose that is not taken
   }
   ctx.report({.stage = "registration/patches", .done = 2, .total = kSteps});
-  if (const auto voted = take_votes(inputs, clouds, final_pose, options, ctx, evidence, result);
+  if (const auto voted = take_votes(
+          inputs, clouds, final_pose, best.planar.overhang_m, options, ctx, evidence, result);
       !voted) {
     return std::unexpected(voted.error());
   }

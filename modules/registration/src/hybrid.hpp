@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fine_samples.hpp"
+#include "fine_alignment.hpp"
 #include "prepared_clouds.hpp"
 
 namespace hybridfusion {
@@ -41,14 +41,14 @@ struct DriftFinding {
   DriftCorrection correction = {};  ///< In the LiDAR frame.
   Rigid3 rigid = {};                ///< In the leveled frame: the pose becomes pose * rigid.
 };
-/// Estimates the drift along the times of `lidar`, or along the sensor positions where it has none;
-/// a supported one is taken out of the samples.
+/// Estimates the drift about `fine` along the times of `lidar`, or along the sensor positions where
+/// it has none; a supported one is taken out of the samples.
 /// @returns kInsufficient when the way of the LiDAR or the overlap says too little, kCancelled.
 [[nodiscard]] Expected<DriftFinding> find_drift(FineInputs& inputs,
                                                 const PreparedClouds& clouds,
                                                 const PointCloud& lidar,
                                                 const RegistrationInput& input,
-                                                const Sim3& vision_from_leveled,
+                                                const FineResult& fine,
                                                 const RegistrationOptions& options,
                                                 const RunContext& ctx);
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace hybridfusion {
 namespace {
@@ -55,6 +56,18 @@ double path_length_m(std::span<const Eigen::Vector3d> positions) {
   return length_m;
 }
 
+/// A bend around a block resembles a scale, so that the scale found with L taken as rigid may be
+/// the bend's: then the bend alone explains held-out pieces better than the scale does, with or
+/// without a bend beside it.
+bool explains_better(const DriftCorrection& unscaled,
+                     const DriftCorrection& scaled,
+                     const DriftOptions& options) {
+  constexpr double kMargin = 0.95;
+  return unscaled.supported &&
+         unscaled.held_out_after_m < (1.0 - options.min_gain) * scaled.held_out_before_m &&
+         unscaled.held_out_after_m < kMargin * scaled.held_out_after_m;
+}
+
 DriftCorrection from_leveled(DriftCorrection correction, const PreparedClouds& clouds) {
   const Eigen::Quaterniond back = clouds.leveled_from_lidar.inverse();
   for (DriftKnot& knot : correction.knots) {
@@ -71,7 +84,7 @@ Expected<DriftFinding> find_drift(FineInputs& inputs,
                                   const PreparedClouds& clouds,
                                   const PointCloud& lidar,
                                   const RegistrationInput& input,
-                                  const Sim3& vision_from_leveled,
+                                  const FineResult& fine,
                                   const RegistrationOptions& options,
                                   const RunContext& ctx) {
   constexpr double kSpeed_mps = 5.0;  // of a drive whose way is not known
@@ -88,9 +101,19 @@ Expected<DriftFinding> find_drift(FineInputs& inputs,
     const auto [first, last] = std::ranges::minmax(at);
     length_m = kSpeed_mps * (last - first);
   }
-  HF_TRY(const DriftEstimate estimate,
-         estimate_drift(
-             inputs, vision_from_leveled, at, axis, length_m, options.fine, options.drift, ctx));
+  const auto estimate_about = [&](const Sim3& vision_from_leveled) {
+    return estimate_drift(
+        inputs, vision_from_leveled, at, axis, length_m, options.fine, options.drift, ctx);
+  };
+  const Sim3 rigid{.rotation = fine.vision_from_lidar.rotation,
+                   .translation = fine.vision_from_lidar.translation};
+  HF_TRY(DriftEstimate estimate, estimate_about(fine.scale_supported ? fine.similarity : rigid));
+  if (fine.scale_supported) {
+    HF_TRY(DriftEstimate unscaled, estimate_about(rigid));
+    if (explains_better(unscaled.correction, estimate.correction, options.drift)) {
+      estimate = std::move(unscaled);
+    }
+  }
   if (estimate.correction.supported) {
     for (std::size_t i = 0; i < inputs.samples.size(); ++i) {
       Eigen::Vector3d& point = inputs.samples[i].point;

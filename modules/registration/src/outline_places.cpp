@@ -12,15 +12,6 @@ namespace {
 
 constexpr std::size_t kMinGroundCells = 50;
 
-/// The planar pose of `pattern` under `pose`, keeping `overhang_m`.
-PlanarPose planar_of(const Rigid3& pose, const PlanarPattern& pattern, double overhang_m) {
-  PlanarPose planar{.yaw_rad = split_heading(pose.rotation).yaw_rad, .overhang_m = overhang_m};
-  const Eigen::Vector3d centre(pattern.centre.x(), pattern.centre.y(), 0.0);
-  const Eigen::AngleAxisd heading(planar.yaw_rad, Eigen::Vector3d::UnitZ());
-  planar.position = (pose.translation + heading * centre).head<2>();
-  return planar;
-}
-
 /// Ground alignment and one more refinement with the tilt that it found.
 void level_place(OutlinePlace& place,
                  const PreparedClouds& clouds,

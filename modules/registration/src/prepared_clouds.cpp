@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -56,6 +57,48 @@ PointCloud leveled_cloud(const PointCloud& lidar,
   return kept;
 }
 
+/// Largest raster at OutlineOptions::refine_cell_m: 7.5 km2 at 0.5 m, about 0.6 GB.
+constexpr double kMaxCells = 3e7;
+
+/// Vision points that the search window can bring L to; all, when no coarse pose limits it. Memory
+/// and time then follow the size of L, not that of the flight.
+std::vector<Eigen::Vector3f> reachable_vision(const PointCloud& vision,
+                                              std::span<const Eigen::Vector3f> leveled_lidar,
+                                              const PreparedClouds& clouds,
+                                              const RegistrationInput& input,
+                                              double max_offset_m) {
+  constexpr double kMargin_m = 20.0;
+  if (!input.vision_from_lidar_initial) return vision.points;
+  const Box2 box = percentile_box(leveled_lidar, 0.003);
+  // L may turn about the middle of its facades, which lies anywhere inside its box.
+  const double reach_m = 2.0 * (box.high - box.low).norm() + max_offset_m + kMargin_m;
+  const Eigen::Vector2d middle =
+      (clouds.vision_from_leveled_initial * clouds.lidar_centroid).head<2>();
+  std::vector<Eigen::Vector3f> kept;
+  for (const Eigen::Vector3f& p : vision.points) {
+    if ((p.head<2>().cast<double>() - middle).squaredNorm() < reach_m * reach_m) kept.push_back(p);
+  }
+  return kept;
+}
+
+/// @returns kInsufficient when the rasters of a cloud would not fit in memory.
+Expected<void> check_extent(std::span<const Eigen::Vector3f> points,
+                            const OutlineOptions& options,
+                            std::string_view name) {
+  const Box2 box = percentile_box(points, options.cut_share);
+  const Eigen::Vector2d size = box.high - box.low;
+  const double cell_m = std::min(options.refine_cell_m, options.lidar_cell_m);
+  if (size.x() / cell_m * (size.y() / cell_m) <= kMaxCells) return {};
+  return fail(ErrorCode::kInsufficient,
+              fmt::format("the {} cloud covers {:.0f} x {:.0f} m, at most {:.1f} km2 can be "
+                          "searched at once; give a coarse pose, cut the cloud, or raise "
+                          "registration.outline.refine_cell_m",
+                          name,
+                          size.x(),
+                          size.y(),
+                          1e-6 * kMaxCells * cell_m * cell_m));
+}
+
 Expected<GroundModel> ground_of(std::span<const Eigen::Vector3f> points,
                                 const GroundOptions& options,
                                 std::string_view name) {
@@ -101,7 +144,24 @@ Expected<PreparedClouds> prepare_clouds(const PointCloud& vision,
   for (const Eigen::Vector3f& p : leveled.points) clouds.lidar_centroid += p.cast<double>();
   clouds.lidar_centroid /= static_cast<double>(leveled.size());
   clouds.lidar = voxel_mean(leveled, options.voxel_m).points;
-  clouds.vision = voxel_mean({.points = vision.points}, options.voxel_m).points;
+  clouds.vision =
+      voxel_mean(
+          {.points = reachable_vision(vision, leveled.points, clouds, input, options.max_offset_m)},
+          options.voxel_m)
+          .points;
+  if (clouds.vision.size() < kMinPoints) {
+    return fail(ErrorCode::kDegenerate,
+                fmt::format("{} vision points lie within reach of the coarse pose: it is wrong by "
+                            "more than max_offset_m = {} m, or the clouds do not overlap",
+                            clouds.vision.size(),
+                            options.max_offset_m));
+  }
+  for (const auto& [points, name] :
+       {std::pair{&clouds.vision, "vision"}, {&clouds.lidar, "LiDAR"}}) {
+    if (auto fits = check_extent(*points, options.outline, name); !fits) {
+      return std::unexpected(fits.error());
+    }
+  }
   if (ctx.stopped()) return fail(ErrorCode::kCancelled, "stopped while thinning the clouds");
 
   HF_TRY(clouds.vision_ground, ground_of(clouds.vision, options.ground, "vision"));

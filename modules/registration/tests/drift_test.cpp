@@ -127,7 +127,7 @@ TEST(VoteByPatches, PatchesStayAtTheTruePoseAndLeaveAWrongOne) {
   ASSERT_TRUE(clouds) << clouds.error().message;
   const auto votes_at = [&](const Rigid3& pose) {
     FineInputs inputs = make_fine_inputs(clouds->vision, clouds->lidar, pose, options.fine, ctx);
-    return vote_by_patches(inputs, *clouds, pose, options.fine, options.votes, ctx);
+    return vote_by_patches(inputs, *clouds, pose, 0.0, options, ctx);
   };
   const auto right = votes_at(Rigid3{});
   ASSERT_TRUE(right) << right.error().message;
@@ -151,7 +151,7 @@ TEST(VoteByPatches, SaysNothingWhereNothingStands) {
   const auto clouds = prepare_clouds(flat, flat, {}, options, ctx);
   ASSERT_TRUE(clouds) << clouds.error().message;
   FineInputs inputs = make_fine_inputs(clouds->vision, clouds->lidar, {}, options.fine, ctx);
-  const auto votes = vote_by_patches(inputs, *clouds, {}, options.fine, options.votes, ctx);
+  const auto votes = vote_by_patches(inputs, *clouds, {}, 0.0, options, ctx);
   ASSERT_TRUE(votes) << votes.error().message;
   EXPECT_EQ(votes->num_tried, 0U);
   EXPECT_EQ(votes->share(), 0.0);

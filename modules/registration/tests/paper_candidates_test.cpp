@@ -87,6 +87,17 @@ TEST(FilterByCorrelation, KeepsWhatIsAboveTheThresholdAndDescribed) {
   EXPECT_NEAR(kept[1].correlation, 1.0 / std::sqrt(1.25), 1e-6);
 }
 
+TEST(BestByCorrelation, KeepsTheBestWhateverTheirCorrelation) {
+  const PatchSignatures vision = {mix(0, 1), mix(1, 0.5F), std::nullopt, mix(1, 0), mix(-1, 0)};
+  const std::vector<std::size_t> candidates = {0, 1, 2, 3, 4};
+  const auto kept = best_by_correlation(mix(1, 0), candidates, vision, 3);
+  ASSERT_EQ(kept.size(), 3U);
+  EXPECT_EQ(kept[0].vision_patch, 3U);
+  EXPECT_EQ(kept[1].vision_patch, 1U);
+  EXPECT_EQ(kept[2].vision_patch, 0U);  // uncorrelated, yet third
+  EXPECT_EQ(best_by_correlation(mix(1, 0), candidates, vision, 9).size(), 4U);
+}
+
 TEST(NeighbourSimilarity, TakesTheBestMatchOfEachNeighbourInAnyDirection) {
   const PatchSignatures lidar = {mix(1, 0), mix(0, 1), std::nullopt};
   const PatchSignatures vision = {mix(0, 1), mix(1, 0)};  // the other way round

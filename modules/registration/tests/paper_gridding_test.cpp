@@ -51,6 +51,17 @@ TEST(GridIntoPatches, OneTenthOfTheSceneGivesAboutTenColumns) {
   EXPECT_LE(grid->columns, 11);
 }
 
+TEST(GridIntoPatches, AShiftMovesTheOriginAndStillHoldsEveryPoint) {
+  const auto points = board(4, 3, 11);
+  const auto plain = grid_into_patches(points, 10.0, 0.0);
+  const auto shifted = grid_into_patches(points, 10.0, 0.0, {0.5, 0.25});
+  ASSERT_TRUE(plain && shifted);
+  EXPECT_LT((plain->origin - shifted->origin - Eigen::Vector2d(5.0, 2.5)).norm(), 1e-9);
+  std::size_t held = 0;
+  for (const Patch& patch : shifted->patches) held += patch.indices.size();
+  EXPECT_EQ(held, points.size());
+}
+
 TEST(SceneSize, IgnoresAFewFarPoints) {
   auto points = board(10, 10, 50);
   points.emplace_back(5000.0F, -3000.0F, 0.0F);

@@ -133,6 +133,24 @@ TEST(RegisterByPatches, RecoversASmallOffsetAndSaysWhichPatchesAgreed) {
   EXPECT_EQ(count(PatchOutcome::kInCluster) + count(PatchOutcome::kPose), result->num_poses);
 }
 
+TEST(RegisterByPatches, TheImprovedVariantMakesMorePatchesAgree) {
+  const test::Scene scene = small_block(3);
+  const Prepared vision(scene.vision);
+  const Prepared lidar(scene.lidar);
+  PaperOptions options{.esf_samples = 5000};
+  const auto published =
+      register_by_patches(vision.view(), lidar.view(), small_offset(), options, {}, {});
+  options.variant = "improved";
+  const auto improved =
+      register_by_patches(vision.view(), lidar.view(), small_offset(), options, {}, {});
+  ASSERT_TRUE(published && improved);
+  EXPECT_TRUE(improved->supported) << improved->reason;
+  EXPECT_GT(improved->patches.size(), 2 * published->patches.size());  // four grids
+  EXPECT_GT(improved->num_cluster_members, published->num_cluster_members);
+  EXPECT_LT(improved->vision_from_lidar.translation.norm(), 0.5);
+  for (const PatchMatch& match : improved->patches) EXPECT_LE(match.num_similar, 5U);
+}
+
 TEST(RegisterByPatches, GivesTheSameBytesAtAnyThreadCount) {
   const test::Scene scene = small_block(4);
   const Prepared vision(scene.vision);

@@ -36,7 +36,8 @@ double scene_size_m(std::span<const Eigen::Vector3f> points, double cut_share) {
 
 Expected<PatchGrid> grid_into_patches(std::span<const Eigen::Vector3f> points,
                                       double step_m,
-                                      double cut_share) {
+                                      double cut_share,
+                                      const Eigen::Vector2d& shift) {
   HF_CHECK(step_m > 0.0);
   if (points.empty())
     return fail(ErrorCode::kInsufficient, "a cloud without points has no patches");
@@ -52,7 +53,7 @@ Expected<PatchGrid> grid_into_patches(std::span<const Eigen::Vector3f> points,
                     box.high.y() - box.low.y(),
                     kMaxCells));
   }
-  const RasterGrid raster = grid_over(box.low, box.high, step_m);
+  const RasterGrid raster = grid_over(box.low - step_m * shift, box.high, step_m);
   const CellMembers members = sort_into_cells(raster, points);
   PatchGrid grid{.origin = raster.origin,
                  .step_m = step_m,

@@ -32,37 +32,48 @@ CleanCloud cleaned(const GroundedCloud& cloud,
 
 Expected<PatchedCloud> cut_into_patches(const CleanCloud& clean,
                                         double step_m,
+                                        const Eigen::Vector2d& shift,
                                         const PaperOptions& options,
                                         const RunContext& ctx) {
   PatchedCloud cloud{.points = clean.points, .heights = clean.heights};
-  HF_TRY(cloud.grid, grid_into_patches(cloud.points, step_m, options.cut_share));
-  HF_TRY(cloud.signatures, describe_patches(cloud.points, cloud.grid, options, ctx));
+  HF_TRY(cloud.grid, grid_into_patches(cloud.points, step_m, options.cut_share, shift));
+  HF_TRY(cloud.signatures, describe_patches(cloud.points, cloud.heights, cloud.grid, options, ctx));
   return cloud;
+}
+
+/// Origins of the LiDAR grids, in steps.
+std::vector<Eigen::Vector2d> grid_shifts(const PaperOptions& options) {
+  if (!changes_of(options).half_step_patches) return {Eigen::Vector2d::Zero()};
+  return {{0.0, 0.0}, {0.5, 0.0}, {0.0, 0.5}, {0.5, 0.5}};
 }
 
 /// A LiDAR patch with more than eta points and its candidates.
 struct SelectedPatch {
+  std::size_t grid = 0;
   std::size_t patch = 0;
   std::vector<PatchCandidate> candidates = {};
 };
 
 /// LiDAR patches with more than eta points with what is left of their candidates; one match each.
-std::vector<SelectedPatch> select_patches(const PatchedCloud& lidar,
+std::vector<SelectedPatch> select_patches(std::span<const PatchedCloud> grids,
                                           const PatchedCloud& vision,
                                           const Rigid3& vision_from_lidar_coarse,
                                           const PaperOptions& options,
                                           std::vector<PatchMatch>& matches) {
   const Eigen::Vector2d origin = vision_from_lidar_coarse.translation.head<2>();  // GNSS_origin
   std::vector<SelectedPatch> selected;
-  for (std::size_t p = 0; p < lidar.grid.patches.size(); ++p) {
-    const Patch& patch = lidar.grid.patches[p];
-    if (std::cmp_less_equal(patch.indices.size(), options.min_patch_points)) continue;
-    PatchMatch match{.lidar_cell = patch.cell,
-                     .centroid_in_vision = patch.centroid,
-                     .num_points = patch.indices.size(),
-                     .vision_from_lidar = vision_from_lidar_coarse};
-    selected.push_back({p, match_patch(p, lidar, vision, origin, options, match)});
-    matches.push_back(match);
+  for (std::size_t k = 0; k < grids.size(); ++k) {
+    const PatchedCloud& lidar = grids[k];
+    for (std::size_t p = 0; p < lidar.grid.patches.size(); ++p) {
+      const Patch& patch = lidar.grid.patches[p];
+      if (std::cmp_less_equal(patch.indices.size(), options.min_patch_points)) continue;
+      PatchMatch match{.lidar_cell = patch.cell,
+                       .centroid_in_vision = patch.centroid,
+                       .num_points = patch.indices.size(),
+                       .vision_from_lidar = vision_from_lidar_coarse};
+      selected.push_back({k, p, match_patch(p, lidar, vision, origin, options, match)});
+      matches.push_back(match);
+    }
   }
   return selected;
 }
@@ -87,6 +98,36 @@ BoundaryTargets make_targets(std::span<const SelectedPatch> selected,
     }
   });
   return targets;
+}
+
+/// Algorithm 1 for every selected patch. @returns kCancelled when stopped.
+Expected<void> register_selected(std::span<const SelectedPatch> selected,
+                                 std::span<const PatchedCloud> grids,
+                                 const PatchedCloud& vision,
+                                 const PaperOptions& options,
+                                 const NdtOptions& ndt,
+                                 const RunContext& ctx,
+                                 std::vector<PatchMatch>& matches) {
+  const auto count = static_cast<std::int64_t>(selected.size());
+  ctx.report({.stage = "registration/paper/patches", .total = count});
+  const BoundaryTargets targets = make_targets(selected, vision, options, ctx);
+  parallel_for(ctx, selected.size(), 1, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last && !ctx.stopped(); ++i) {
+      const SelectedPatch& chosen = selected[i];
+      if (chosen.candidates.empty()) continue;
+      register_patch(chosen.patch,
+                     chosen.candidates,
+                     grids[chosen.grid],
+                     vision,
+                     targets,
+                     options,
+                     ndt,
+                     matches[i]);
+    }
+  });
+  if (ctx.stopped()) return fail(ErrorCode::kCancelled, "stopped while registering patches");
+  ctx.report({.stage = "registration/paper/patches", .done = count, .total = count});
+  return {};
 }
 
 /// "Minor adjustments" by 3D NDT of the whole clouds (III-C.5): one that leaves the cluster is not
@@ -153,36 +194,27 @@ Expected<PaperResult> register_by_patches(const GroundedCloud& vision,
     return fail(ErrorCode::kDegenerate, "the vision cloud has no extent in x and y");
   }
   ctx.report({.stage = "registration/paper/describe", .total = 2});
-  HF_TRY(const PatchedCloud g, cut_into_patches(clean_vision, step_m, options, ctx));
+  HF_TRY(const PatchedCloud g,
+         cut_into_patches(clean_vision, step_m, Eigen::Vector2d::Zero(), options, ctx));
   ctx.report({.stage = "registration/paper/describe", .done = 1, .total = 2});
-  HF_TRY(const PatchedCloud l, cut_into_patches(clean_lidar, step_m, options, ctx));
+  std::vector<PatchedCloud> grids;  // of the LiDAR cloud
+  for (const Eigen::Vector2d& shift : grid_shifts(options)) {
+    HF_TRY(PatchedCloud cut, cut_into_patches(clean_lidar, step_m, shift, options, ctx));
+    grids.push_back(std::move(cut));
+  }
 
   PaperResult result{.vision_from_lidar = vision_from_lidar_coarse};
   const std::vector<SelectedPatch> selected =
-      select_patches(l, g, vision_from_lidar_coarse, options, result.patches);
-  const auto count = static_cast<std::int64_t>(selected.size());
-  ctx.report({.stage = "registration/paper/patches", .total = count});
-  const BoundaryTargets targets = make_targets(selected, g, options, ctx);
-  parallel_for(ctx, selected.size(), 1, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last && !ctx.stopped(); ++i) {
-      if (selected[i].candidates.empty()) continue;
-      register_patch(selected[i].patch,
-                     selected[i].candidates,
-                     l,
-                     g,
-                     targets,
-                     options,
-                     ndt,
-                     result.patches[i]);
-    }
-  });
-  if (ctx.stopped()) return fail(ErrorCode::kCancelled, "stopped while registering patches");
-  ctx.report({.stage = "registration/paper/patches", .done = count, .total = count});
+      select_patches(grids, g, vision_from_lidar_coarse, options, result.patches);
+  if (const auto done = register_selected(selected, grids, g, options, ndt, ctx, result.patches);
+      !done) {
+    return std::unexpected(done.error());
+  }
   const Eigen::Vector3d lidar_centroid = centroid_of(lidar.points);
   cluster_poses(lidar_centroid, options, result);
   if (!result.supported) return result;
   const auto adjusted =
-      adjust(g, l, vision_from_lidar_coarse, lidar_centroid, options, ndt, ctx, result);
+      adjust(g, grids.front(), vision_from_lidar_coarse, lidar_centroid, options, ndt, ctx, result);
   if (!adjusted) return std::unexpected(adjusted.error());
   return result;
 }

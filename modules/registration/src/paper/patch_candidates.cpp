@@ -52,4 +52,15 @@ std::vector<PatchCandidate> filter_by_correlation(const CentredSignature& lidar,
   return kept;
 }
 
+std::vector<PatchCandidate> best_by_correlation(const CentredSignature& lidar,
+                                                std::span<const std::size_t> candidates,
+                                                const PatchSignatures& vision,
+                                                std::size_t count) {
+  constexpr double kAny = -2.0;
+  std::vector<PatchCandidate> ranked = filter_by_correlation(lidar, candidates, vision, kAny);
+  std::ranges::stable_sort(ranked, std::ranges::greater{}, &PatchCandidate::correlation);
+  if (ranked.size() > count) ranked.resize(count);
+  return ranked;
+}
+
 }  // namespace hybridfusion

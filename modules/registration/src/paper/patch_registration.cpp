@@ -27,6 +27,26 @@ Rigid3 lifted(const Rigid2& motion) {
       .translation = {motion.translation.x(), motion.translation.y(), 0.0}};
 }
 
+constexpr float kOverlapGate_m = 0.5F;
+
+/// Share of the points of `indices` above `above_m` that lie near the target; 1 when none is high.
+double high_overlap(const PatchedCloud& lidar,
+                    std::span<const std::uint32_t> indices,
+                    double above_m,
+                    const KdTree& target,
+                    const Rigid3& target_from_source) {
+  std::size_t high = 0;
+  std::size_t near = 0;
+  for (const std::uint32_t i : indices) {
+    if (static_cast<double>(lidar.heights[i]) < above_m) continue;
+    ++high;
+    const Eigen::Vector3d moved = target_from_source * lidar.points[i].cast<double>();
+    const float squared_m2 = target.nearest(moved.cast<float>()).squared_distance_m2;
+    if (squared_m2 < kOverlapGate_m * kOverlapGate_m) ++near;
+  }
+  return high == 0 ? 1.0 : static_cast<double>(near) / static_cast<double>(high);
+}
+
 double median_distance_m(std::span<const Eigen::Vector3f> source,
                          const KdTree& target,
                          const Rigid3& target_from_source) {
@@ -90,16 +110,33 @@ Expected<Ndt3Result> refine_ndt_3d(std::span<const Eigen::Vector3f> target,
                       ctx);
 }
 
+PaperImprovements changes_of(const PaperOptions& options) {
+  if (options.variant == "improved") return options.improved;
+  return {.half_step_patches = false,
+          .describe_spliced = false,
+          .describe_above_m = 0.0,
+          .best_candidates = 0,
+          .min_overlap = 0.0};
+}
+
 Expected<PatchSignatures> describe_patches(std::span<const Eigen::Vector3f> points,
+                                           std::span<const float> heights,
                                            const PatchGrid& grid,
                                            const PaperOptions& options,
                                            const RunContext& ctx) {
   PatchSignatures signatures(grid.patches.size());
   const auto least = static_cast<std::size_t>(options.min_neighbour_points);
+  const PaperImprovements changes = changes_of(options);
+  const auto low = [&](std::uint32_t i) {
+    return static_cast<double>(heights[i]) < changes.describe_above_m;
+  };
   parallel_for(ctx, grid.patches.size(), 1, [&](std::size_t first, std::size_t last) {
     for (std::size_t p = first; p < last && !ctx.stopped(); ++p) {
-      if (grid.patches[p].indices.size() < least) continue;
-      const auto signature = compute_esf(points_at(points, grid.patches[p].indices),
+      std::vector<std::uint32_t> members =
+          changes.describe_spliced ? splice_neighbours(grid, p) : grid.patches[p].indices;
+      if (changes.describe_above_m > 0.0) std::erase_if(members, low);
+      if (members.size() < least) continue;
+      const auto signature = compute_esf(points_at(points, members),
                                          {.samples = options.esf_samples, .seed = ctx.seed});
       // A patch that spans no plane has no shape to compare: it stays undescribed.
       if (signature) signatures[p] = centre_signature(*signature);
@@ -122,6 +159,13 @@ std::vector<PatchCandidate> match_patch(std::size_t patch,
   match.num_candidates = selected.size();
   match.outcome = PatchOutcome::kNoCandidate;
   if (selected.empty() || !lidar.signatures[patch]) return {};
+  if (const int count = changes_of(options).best_candidates; count > 0) {
+    auto best = best_by_correlation(
+        *lidar.signatures[patch], selected, vision.signatures, static_cast<std::size_t>(count));
+    match.num_correlated = match.num_similar = best.size();
+    match.outcome = best.empty() ? PatchOutcome::kNoCorrelation : PatchOutcome::kNoBoundary;
+    return best;
+  }
   const auto correlated = filter_by_correlation(
       *lidar.signatures[patch], selected, vision.signatures, options.min_correlation);
   match.num_correlated = correlated.size();
@@ -160,7 +204,8 @@ void register_patch(std::size_t patch,
   match.outcome = PatchOutcome::kRejected3d;
 
   // Algorithm 1, lines 14 to 19.
-  const auto source = points_at(lidar.points, splice_neighbours(lidar.grid, patch));
+  const auto members = splice_neighbours(lidar.grid, patch);
+  const auto source = points_at(lidar.points, members);
   const auto target =
       points_at(vision.points, splice_neighbours(vision.grid, best->candidate.vision_patch));
   const Rigid3 planar = lifted(best->match.target_from_source);
@@ -168,11 +213,17 @@ void register_patch(std::size_t patch,
       refine_ndt_3d(target, source, planar, kPatchSamples, ndt, {.num_threads = 1});
   if (!spatial) return;
   const Rigid3& refined = spatial->target_from_source;
-  match.score_3d_m = median_distance_m(source, KdTree(target), refined);
+  const KdTree tree(target);
+  match.score_3d_m = median_distance_m(source, tree, refined);
   const Eigen::Vector3d middle = mean_of(source);
   const double shift_m = (refined * middle - planar * middle).head<2>().norm();
   if (!spatial->quality.converged || shift_m > options.ndt3_max_shift_m ||
       match.score_3d_m > options.max_score_3d_m) {
+    return;
+  }
+  const PaperImprovements changes = changes_of(options);
+  if (changes.min_overlap > 0.0 &&
+      high_overlap(lidar, members, changes.describe_above_m, tree, refined) < changes.min_overlap) {
     return;
   }
   match.outcome = PatchOutcome::kPose;

@@ -21,8 +21,13 @@ struct PatchedCloud {
   PatchSignatures signatures = {};
 };
 
+/// The changes in effect: none for the published variant.
+[[nodiscard]] PaperImprovements changes_of(const PaperOptions& options);
+
+/// @param heights  Above ground [m], one per point.
 /// @returns kCancelled when stopped.
 [[nodiscard]] Expected<PatchSignatures> describe_patches(std::span<const Eigen::Vector3f> points,
+                                                         std::span<const float> heights,
                                                          const PatchGrid& grid,
                                                          const PaperOptions& options,
                                                          const RunContext& ctx);

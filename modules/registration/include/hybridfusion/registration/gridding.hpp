@@ -38,9 +38,11 @@ struct PatchGrid {
 /// of the scene size there). Points outside the box of scene_size_m belong to no patch.
 /// @returns kInsufficient for an empty cloud, kInvalidOptions when the grid would exceed 10^6
 /// cells. @pre step_m > 0, points are finite
+/// @param shift  Of the grid's origin towards lower x and y, in steps of [0, 1).
 [[nodiscard]] Expected<PatchGrid> grid_into_patches(std::span<const Eigen::Vector3f> points,
                                                     double step_m,
-                                                    double cut_share);
+                                                    double cut_share,
+                                                    const Eigen::Vector2d& shift = {0.0, 0.0});
 
 /// Of the 8 patches around, those with at least `min_points` points; indices into grid.patches.
 [[nodiscard]] std::vector<std::size_t> neighbours_of(const PatchGrid& grid,

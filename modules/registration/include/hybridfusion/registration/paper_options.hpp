@@ -4,12 +4,63 @@
 #include <hybridfusion/geometry/boundary.hpp>
 
 #include <numbers>
+#include <string>
 
 namespace hybridfusion {
+
+/// Changes to the published chain that stay inside its structure; they act with
+/// PaperOptions::variant "improved" only.
+struct PaperImprovements {
+  bool half_step_patches = true;
+  bool describe_spliced = true;
+  double describe_above_m = 2.0;
+  int best_candidates = 5;
+  double min_overlap = 0.5;
+};
+
+template <>
+struct OptionFields<PaperImprovements> {
+  using T = PaperImprovements;
+  static constexpr auto fields = std::tuple{
+      Field{&T::half_step_patches,
+            {.key = "half_step_patches",
+             .doc = "LiDAR patches overlap: four grids, half a step apart.",
+             .source = "ours"}},
+      Field{&T::describe_spliced,
+            {.key = "describe_spliced",
+             .doc = "Descriptors of a patch with its 8 neighbours.",
+             .source = "ours"}},
+      Field{&T::describe_above_m,
+            {.key = "describe_above_m",
+             .unit = "m",
+             .min = 0.0,
+             .max = 100.0,
+             .doc = "Descriptors of what stands higher above ground than this; 0: of everything.",
+             .source = "ours"}},
+      Field{&T::best_candidates,
+            {.key = "best_candidates",
+             .unit = "patches",
+             .min = 0.0,
+             .max = 1000.0,
+             .doc = "Keep this many candidates by rank of the correlation, not those above "
+                    "min_correlation and min_neighbour_score; 0: as published.",
+             .source = "ours"}},
+      Field{&T::min_overlap,
+            {.key = "min_overlap",
+             .unit = "1",
+             .min = 0.0,
+             .max = 1.0,
+             .doc = "Share of a patch's high points that must lie within 0.5 m of the candidate "
+                    "for its pose to count.",
+             .source = "ours"}},
+  };
+};
 
 /// The published chain (HybridFusion III-C and Algorithm 1). Where the paper states no value the
 /// default is ours.
 struct PaperOptions {
+  std::string variant = "published";
+  PaperImprovements improved = {};
   double isolation_cell_m = 0.6;
   int min_supporting_points = 8;  ///< In the 27 cells around a point; fewer: it is left out.
   double cut_share = 0.003;       ///< Of the points, off each side of a patch grid.
@@ -38,6 +89,15 @@ template <>
 struct OptionFields<PaperOptions> {
   using T = PaperOptions;
   static constexpr auto fields = std::tuple{
+      Field{&T::variant,
+            {.key = "variant",
+             .choices = "published|improved",
+             .doc = "improved: with the changes of registration.paper.improved.",
+             .source = "HybridFusion III-C; improved: ours"}},
+      Field{&T::improved,
+            {.key = "improved",
+             .doc = "Changes to the chain, for variant improved.",
+             .source = "ours"}},
       Field{&T::isolation_cell_m,
             {.key = "isolation_cell_m",
              .unit = "m",

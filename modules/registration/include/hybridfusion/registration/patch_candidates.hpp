@@ -46,4 +46,12 @@ struct CandidateRing {
     const PatchSignatures& vision,
     double min_correlation);
 
+/// Keeps the `count` candidates whose descriptors correlate best with `lidar`, best first; equal
+/// ones in ascending order of the patch.
+[[nodiscard]] std::vector<PatchCandidate> best_by_correlation(
+    const CentredSignature& lidar,
+    std::span<const std::size_t> candidates,
+    const PatchSignatures& vision,
+    std::size_t count);
+
 }  // namespace hybridfusion

@@ -13,7 +13,7 @@ enum class PatchOutcome : std::uint8_t {
   kNoCandidate,    ///< No vision patch in the ring sector.
   kNoCorrelation,  ///< No candidate's descriptor correlates.
   kNoNeighbours,   ///< No candidate's neighbourhood is similar.
-  kNoBoundary,     ///< Too few boundary points, or the 2D NDT found no minimum.
+  kNoBoundary,     ///< Too little boundary (hybrid: facade), or the 2D NDT found no minimum.
   kRejected3d,     ///< The 3D NDT did not converge near the 2D pose.
   kOutOfWindow,    ///< Hybrid: moves further from the pose than patches may.
   kPose,           ///< Gave a pose outside the largest cluster.

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <hybridfusion/core/options.hpp>
-#include <hybridfusion/geometry/boundary.hpp>
 
 #include <numbers>
 
@@ -12,9 +11,7 @@ namespace hybridfusion {
 struct PatchVoteOptions {
   bool enabled = true;
   int grid_divisions = 10;
-  BoundaryOptions boundary = {};
-  int min_boundary_points = 60;
-  double ndt_cell_m = 2.0;
+  double min_facade_weight = 8.0;
   double max_shift_m = 1.5;
   double max_turn_rad = std::numbers::pi / 60.0;
   double min_overlap_share = 0.5;
@@ -37,24 +34,14 @@ struct OptionFields<PatchVoteOptions> {
              .max = 100.0,
              .doc = "The patch step is the size of the vision scene divided by this.",
              .source = "HybridFusion III-C.1, one tenth"}},
-      Field{&T::boundary,
-            {.key = "boundary",
-             .doc = "Boundary points of what stands higher than h.",
-             .source = "HybridFusion III-C.4"}},
-      Field{&T::min_boundary_points,
-            {.key = "min_boundary_points",
-             .unit = "points",
-             .min = 10.0,
-             .max = 1e6,
-             .doc = "Patches with fewer boundary points (neighbours included) have no vote.",
-             .source = "ours"}},
-      Field{&T::ndt_cell_m,
-            {.key = "ndt_cell_m",
-             .unit = "m",
-             .min = 0.2,
-             .max = 50.0,
-             .doc = "Cell of the 2D NDT of boundaries; a second pass uses half of it.",
-             .source = "HybridFusion III-C.4; value ours"}},
+      Field{
+          &T::min_facade_weight,
+          {.key = "min_facade_weight",
+           .unit = "columns",
+           .min = 1.0,
+           .max = 1e6,
+           .doc = "Patches with fewer facade columns of 0.5 m (neighbours included) have no vote.",
+           .source = "ours"}},
       Field{&T::max_shift_m,
             {.key = "max_shift_m",
              .unit = "m",
@@ -74,7 +61,7 @@ struct OptionFields<PatchVoteOptions> {
              .unit = "1",
              .min = 0.0,
              .max = 1.0,
-             .doc = "Share of the boundary of a patch that must lie over known vision ground or "
+             .doc = "Share of the facades of a patch that must lie over known vision ground or "
                     "roof for it to have a vote.",
              .source = "ours"}},
       Field{&T::cluster_radius_m,

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "pair_cases.hpp"
+
+#include <hybridfusion/evaluation/registration_error.hpp>
+#include <hybridfusion/registration/register_cross_source.hpp>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace hybridfusion::benchmark {
+
+/// One registration.
+struct Outcome {
+  std::string group;
+  std::uint64_t seed = 0;
+  std::string method;
+  bool ok = false;     ///< The method vouches for its pose.
+  bool right = false;  ///< Within 1 m and 2 degrees of the truth.
+  RegistrationErrors errors = {};
+  double floor_m = 0.0;
+  double places_m =
+      0.0;  ///< Root mean square distance of the straightened LiDAR cloud to its place.
+  double scale_error = 0.0;
+  double confidence = 0.0;
+  double cpu_s = 0.0;
+  std::string reason = {};
+  std::vector<RegistrationScore> scores = {};
+};
+
+/// One table a method, one row a group, as Markdown.
+void print_table(const std::vector<Outcome>& outcomes, const std::vector<std::string>& methods);
+
+/// Every single outcome with its scores.
+void write_json(const std::vector<Outcome>& outcomes, const std::string& path);
+
+}  // namespace hybridfusion::benchmark
