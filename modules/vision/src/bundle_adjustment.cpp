@@ -1,6 +1,7 @@
 #include "bundle_adjustment.hpp"
 
 #include "adjustment_costs.hpp"
+#include "adjustment_gnss.hpp"
 
 #include <algorithm>
 #include <array>
@@ -13,16 +14,12 @@ namespace hybridfusion {
 namespace {
 
 constexpr std::size_t kDenseViews = 150;
-// HybridFusion names no prior; consumer receivers drift by metres of height in a flight.
-constexpr double kDriftOffsetSigma_m = 20.0;
-constexpr double kDriftRateSigma_mps = 0.5 / 60.0;
 
 /// Blocks must not move in memory while the problem lives.
 struct Blocks {
   std::vector<std::array<double, kPoseSize>> poses;  // per view
   std::vector<IntrinsicsVector> intrinsics;          // per camera
   std::vector<Eigen::Vector3d> points;               // per requested track
-  std::vector<Eigen::Vector2d> drifts;               // per flight
 };
 
 /// Lets the caller's stop token end the solver.
@@ -138,58 +135,8 @@ class Adjuster {
   }
 
   void add_gnss() {
-    GnssTerms& gnss = *request_.gnss;
-    gnss_loss_ = std::make_unique<ceres::CauchyLoss>(gnss.loss_width);
-    int flights = 0;
-    for (const GnssObservation& o : gnss.observations) flights = std::max(flights, o.flight + 1);
-    gnss.drifts.resize(static_cast<std::size_t>(flights));
-    for (const VerticalDrift& d : gnss.drifts) blocks_.drifts.emplace_back(d.offset_m, d.rate_mps);
-    if (gnss.form == GnssForm::kAbsolute) {
-      add_positions(gnss);
-    } else {
-      add_displacements(gnss);
-    }
-  }
-
-  void add_positions(const GnssTerms& gnss) {
-    for (const GnssObservation& o : gnss.observations) {
-      if (!in_problem_[o.view]) continue;
-      double* drift = blocks_.drifts[static_cast<std::size_t>(o.flight)].data();
-      // NOLINTNEXTLINE(cppcoreguidelines-owning-memory): the problem owns its costs
-      problem_.AddResidualBlock(new GnssPositionCost(o.position, o.sigma_m, o.flight_time_s),
-                                gnss_loss_.get(),
-                                blocks_.poses[o.view].data(),
-                                drift);
-    }
-    for (Eigen::Vector2d& drift : blocks_.drifts) {
-      if (!problem_.HasParameterBlock(drift.data())) continue;
-      if (!gnss.estimate_drift) {
-        problem_.SetParameterBlockConstant(drift.data());
-        continue;
-      }
-      // NOLINTNEXTLINE(cppcoreguidelines-owning-memory): the problem owns its costs
-      problem_.AddResidualBlock(new NormalPriorCost<2>(Eigen::Vector2d::Zero(),
-                                                       {kDriftOffsetSigma_m, kDriftRateSigma_mps}),
-                                nullptr,
-                                drift.data());
-    }
-  }
-
-  void add_displacements(const GnssTerms& gnss) {
-    const GnssObservation* previous = nullptr;
-    for (const GnssObservation& o : gnss.observations) {
-      if (!in_problem_[o.view]) continue;
-      if (previous != nullptr && previous->flight == o.flight) {
-        const Eigen::Vector3d sigma =
-            (o.sigma_m.array().square() + previous->sigma_m.array().square()).sqrt();
-        // NOLINTNEXTLINE(cppcoreguidelines-owning-memory): the problem owns its costs
-        problem_.AddResidualBlock(new GnssDisplacementCost(o.position - previous->position, sigma),
-                                  gnss_loss_.get(),
-                                  blocks_.poses[previous->view].data(),
-                                  blocks_.poses[o.view].data());
-      }
-      previous = &o;
-    }
+    gnss_ = std::make_unique<GnssBlocks>(*request_.gnss);
+    gnss_->add_to(problem_, blocks_.poses, in_problem_);
   }
 
   void hold_fixed() {
@@ -224,7 +171,9 @@ class Adjuster {
     for (Eigen::Vector3d& point : blocks_.points) add(point.data(), 0);
     for (auto& pose : blocks_.poses) add(pose.data(), 1);
     for (IntrinsicsVector& intrinsics : blocks_.intrinsics) add(intrinsics.data(), 2);
-    for (Eigen::Vector2d& drift : blocks_.drifts) add(drift.data(), 3);
+    if (gnss_) {
+      for (Eigen::Vector3d& errors : gnss_->flights()) add(errors.data(), 3);
+    }
     options.linear_solver_ordering.reset(ordering);
     return options;
   }
@@ -241,10 +190,7 @@ class Adjuster {
     for (std::size_t t = 0; t < request_.tracks.size(); ++t) {
       if (model_.points[request_.tracks[t]]) model_.points[request_.tracks[t]] = blocks_.points[t];
     }
-    for (std::size_t flight = 0; flight < blocks_.drifts.size(); ++flight) {
-      request_.gnss->drifts[flight] = {.offset_m = blocks_.drifts[flight][0],
-                                       .rate_mps = blocks_.drifts[flight][1]};
-    }
+    if (gnss_) gnss_->store();
   }
 
   double* intrinsics_of(std::uint32_t view) {
@@ -259,7 +205,7 @@ class Adjuster {
   PoseManifold pose_manifold_;
   ceres::SubsetManifold radial_only_{kNumIntrinsics, {1, 2, 5, 6, 7}};
   std::unique_ptr<ceres::LossFunction> loss_;
-  std::unique_ptr<ceres::LossFunction> gnss_loss_;
+  std::unique_ptr<GnssBlocks> gnss_;
   ceres::Problem problem_;  // last: destroyed before what it points to
 };
 

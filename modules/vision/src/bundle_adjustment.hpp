@@ -1,5 +1,6 @@
 #pragma once
 
+#include "gnss_terms.hpp"
 #include "sfm_model.hpp"
 
 #include <hybridfusion/core/error.hpp>
@@ -15,31 +16,6 @@
 #include <Eigen/Core>
 
 namespace hybridfusion {
-
-/// GNSS of one view as it enters the adjustment.
-struct GnssObservation {
-  std::uint32_t view = 0;
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< East-north-up [m].
-  Eigen::Vector3d sigma_m = Eigen::Vector3d::Ones();   ///< Infinite: the component does not count.
-  int flight = 0;
-  double flight_time_s = 0.0;
-};
-
-/// Vertical error of the GNSS of one flight: offset + rate * time.
-struct VerticalDrift {
-  double offset_m = 0.0;
-  double rate_mps = 0.0;
-};
-
-enum class GnssForm : std::uint8_t { kAbsolute, kDisplacement };
-
-struct GnssTerms {
-  GnssForm form = GnssForm::kAbsolute;
-  std::vector<GnssObservation> observations = {};  ///< In order of time.
-  bool estimate_drift = false;                     ///< Else vertical errors are independent.
-  std::vector<VerticalDrift> drifts = {};          ///< Per flight; in and out.
-  double loss_width = 3.0;                         ///< Cauchy, in sigmas.
-};
 
 enum class CalibrationLevel : std::uint8_t {
   kFixed,   ///< No intrinsics change.

@@ -4,6 +4,8 @@
 #include "incremental_mapper.hpp"
 #include "triangulation.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <numeric>
 
 #include <fmt/format.h>
@@ -51,14 +53,14 @@ Expected<Fragments> map_fragments(const SfmModel& empty,
       }
       continue;
     }
-    if (!alignment->warning.empty()) result.warnings.push_back(alignment->warning);
+    std::ranges::copy(alignment->warnings, std::back_inserter(result.warnings));
     if (fragment > 0) {
       result.warnings.push_back(
           fmt::format("{} photos from {} on share no matches with the rest: placed by GNSS only",
                       views.size(),
                       metadata[views.front()].name));
     }
-    result.altitude_trusted = result.altitude_trusted && alignment->altitude_trusted;
+    add_placement(*alignment, model, result.placement);
     transform_model(model, alignment->enu_from_world);
     merge(result.model, model);
     for (const std::uint32_t view : views) result.reasons[view].clear();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bundle_adjustment.hpp"
+#include "placement.hpp"
 #include "sfm_model.hpp"
 
 #include <hybridfusion/core/error.hpp>
@@ -14,9 +15,10 @@ namespace hybridfusion {
 [[nodiscard]] GnssTerms gnss_terms(const SfmModel& model,
                                    const GnssIngest& gnss,
                                    const GnssOptions& options,
-                                   bool altitude_trusted);
+                                   const Placement& placement);
 
-/// Vision less GNSS position of every observation, less the modelled vertical error [m].
+/// Vision less GNSS position of the antenna, less the modelled errors of the tags, of every
+/// observation [m].
 [[nodiscard]] std::vector<Eigen::Vector3d> gnss_residuals(const SfmModel& model,
                                                           const GnssTerms& terms);
 

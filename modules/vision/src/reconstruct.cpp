@@ -89,7 +89,7 @@ Expected<Reconstruction> run(std::span<const Photo> photos,
   ctx.info(fmt::format(
       "{} of {} pairs verified, {} tracks", verified.size(), pairs.size(), empty.tracks.size()));
   HF_TRY(Fragments mapped, map_fragments(empty, verified, gnss, metadata, options, ctx));
-  GnssTerms terms = gnss_terms(mapped.model, gnss, options.gnss, mapped.altitude_trusted);
+  GnssTerms terms = gnss_terms(mapped.model, gnss, options.gnss, mapped.placement);
   if (auto adjusted = adjust_with_gnss(mapped.model, terms, options, ctx); !adjusted) {
     return std::unexpected(adjusted.error());
   }

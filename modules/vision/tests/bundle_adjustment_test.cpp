@@ -109,7 +109,7 @@ TEST(BundleAdjustment, DriftOfTheAltitudesIsFoundWhereItIsAllowed) {
   AdjustmentRequest request = whole(model);
   request.gnss = &gnss;
   ASSERT_TRUE(adjust(model, request, {}, {}));
-  EXPECT_NEAR(gnss.drifts[0].rate_mps, 0.02, 0.01);
+  EXPECT_NEAR(gnss.flights[0].rate_mps, 0.02, 0.01);
 }
 
 TEST(BundleAdjustment, DisplacementFormKeepsScaleAndForgetsTheOffset) {
@@ -154,7 +154,7 @@ TEST(GnssResiduals, AreVisionLessGnssPlusTheModelledDrift) {
   const auto flight = testing::make_flight();
   GnssTerms gnss = exact_gnss(flight.truth, 1.0);
   gnss.observations[1].position += Eigen::Vector3d(1.0, 0.0, 2.0);
-  gnss.drifts = {{.offset_m = 0.5, .rate_mps = 0.1}};
+  gnss.flights = {{.offset_m = 0.5, .rate_mps = 0.1}};
   const auto residuals = gnss_residuals(flight.truth, gnss);
   EXPECT_LT((residuals[1] - Eigen::Vector3d(-1.0, 0.0, -2.0 + 0.5 + 0.25)).norm(), 1e-12);
 }

@@ -44,6 +44,21 @@ struct ScenePoint {
   std::vector<ViewObservation> track = {};
 };
 
+/// Systematic errors of the GNSS tags of one flight: a tag shows where the camera was `lag_s`
+/// before its photo, `offset_m + rate_mps * time since the first photo` too high.
+struct FlightErrors {
+  double offset_m = 0.0;
+  double rate_mps = 0.0;
+  double lag_s = 0.0;
+};
+
+/// How far place, scale and tilt of the result can be relied on.
+enum class GeoreferenceVerdict : std::uint8_t {
+  kGood,      ///< Scale to 0.5 % and tilt to 0.5 degrees (one deviation).
+  kLimited,   ///< Worse, or heights rest on something else than the altitudes of the photos.
+  kUnusable,  ///< Scale worse than 1 %, tilt worse than 1 degree, or nothing to place the model by.
+};
+
 /// Figures that tell whether the geometry can be trusted; all over registered views.
 struct ReconstructionQuality {
   double mean_reprojection_px = 0.0;
@@ -53,7 +68,11 @@ struct ReconstructionQuality {
   double estimated_sigma_horizontal_m = 0.0;
   double estimated_sigma_vertical_m = 0.0;
   double initial_focal_px = 0.0;
-  double scale_sigma = 0.0;  ///< Relative standard deviation of the scale that GNSS leaves.
+  double scale_sigma = 0.0;                ///< Relative standard deviation of the scale.
+  double tilt_sigma_rad = 0.0;             ///< Standard deviation of the up direction.
+  std::vector<FlightErrors> flights = {};  ///< Estimated errors of the GNSS tags, per flight.
+  GeoreferenceVerdict georeference = GeoreferenceVerdict::kGood;
+  std::vector<std::string> georeference_reasons = {};  ///< Why it is not kGood.
 };
 
 /// Cameras and sparse points in the east-north-up frame at `origin`.
