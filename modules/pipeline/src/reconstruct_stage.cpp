@@ -12,6 +12,8 @@
 
 #include <algorithm>
 #include <iterator>
+#include <numbers>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -47,6 +49,31 @@ Expected<void> check_positions(const PhotoFolder& folder) {
                   kMinPositionedPhotos));
 }
 
+std::string_view word_of(GeoreferenceVerdict verdict) {
+  switch (verdict) {
+    case GeoreferenceVerdict::kGood:
+      return "good";
+    case GeoreferenceVerdict::kLimited:
+      return "limited";
+    case GeoreferenceVerdict::kUnusable:
+      return "unusable";
+  }
+  return "unusable";
+}
+
+/// Whether place, scale and tilt can be relied on, and what was found wrong with the tags.
+Json georeference_json(const ReconstructionQuality& quality) {
+  Json flights = Json::array();
+  for (const FlightErrors& flight : quality.flights) {
+    flights.push_back({{"altitude_offset_m", flight.offset_m},
+                       {"altitude_drift_mps", flight.rate_mps},
+                       {"lag_s", flight.lag_s}});
+  }
+  return {{"verdict", word_of(quality.georeference)},
+          {"reasons", quality.georeference_reasons},
+          {"flights", std::move(flights)}};
+}
+
 StageResult describe(const Reconstruction& reconstruction,
                      const PhotoFolder& folder,
                      const PointCloud& dense) {
@@ -77,6 +104,8 @@ StageResult describe(const Reconstruction& reconstruction,
                      {"gnss_sigma_horizontal_m", quality.estimated_sigma_horizontal_m},
                      {"gnss_sigma_vertical_m", quality.estimated_sigma_vertical_m},
                      {"scale_sigma", quality.scale_sigma},
+                     {"tilt_sigma_deg", quality.tilt_sigma_rad * 180.0 / std::numbers::pi},
+                     {"georeference", georeference_json(quality)},
                      {"warnings", reconstruction.warnings}};
   StageResult result{.json = to_text(json)};
   result.summary = {
@@ -90,6 +119,10 @@ StageResult describe(const Reconstruction& reconstruction,
       fmt::format("GNSS residuals {:.2f} m horizontal, {:.2f} m vertical (rms)",
                   quality.gnss_horizontal_rms_m,
                   quality.gnss_vertical_rms_m),
+      fmt::format("georeference {}: scale +-{:.2f} %, tilt +-{:.2f} deg",
+                  word_of(quality.georeference),
+                  100.0 * quality.scale_sigma,
+                  quality.tilt_sigma_rad * 180.0 / std::numbers::pi),
       fmt::format("{} scene points, {} dense points", reconstruction.points.size(), dense.size())};
   return result;
 }
