@@ -8,15 +8,20 @@
 #include <hybridfusion/core/geodetic.hpp>
 #include <hybridfusion/core/random.hpp>
 #include <hybridfusion/core/sim3.hpp>
+#include <hybridfusion/io/dataset_truth.hpp>
 #include <hybridfusion/io/photo_folder.hpp>
 #include <hybridfusion/vision/gnss_ingest.hpp>
 
-#include <chrono>
+#include <algorithm>
 #include <cmath>
+#include <ctime>
+#include <filesystem>
 #include <functional>
 #include <numbers>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -121,6 +126,7 @@ struct Difference {
   double scale = 0.0;
   double horizontal_m = 0.0;
   double vertical_m = 0.0;
+  double rms_m = 0.0;  ///< After a similarity.
 };
 
 Expected<Difference> difference(const Reconstruction& reference, const Reconstruction& found) {
@@ -138,14 +144,36 @@ Expected<Difference> difference(const Reconstruction& reference, const Reconstru
   }
   HF_TRY(const Sim3 fit, fit_sim3(target, source));
   mean /= static_cast<double>(source.size());
+  double sum2 = 0.0;
+  for (std::size_t i = 0; i < source.size(); ++i) {
+    sum2 += (fit * source[i] - target[i]).squaredNorm() / static_cast<double>(source.size());
+  }
   return Difference{
       .tilt_deg = std::acos(std::min(1.0, (fit.rotation * Eigen::Vector3d::UnitZ()).z())) / kDegree,
       .scale = fit.scale - 1.0,
       .horizontal_m = mean.head<2>().norm(),
-      .vertical_m = mean.z()};
+      .vertical_m = mean.z(),
+      .rms_m = std::sqrt(sum2)};
 }
 
-Expected<void> run(const std::string& folder_name, const std::string& only) {
+/// The truth as a reconstruction, one view per photo.
+Expected<Reconstruction> truth_of(const std::string& folder, std::span<const Photo> photos) {
+  const std::filesystem::path path = folder;
+  HF_TRY(const DatasetTruth dataset, read_dataset_truth(path / "dataset.json"));
+  HF_TRY(const std::vector<TruePhotoPose> poses, read_true_photo_poses(path / "cameras.csv"));
+  Reconstruction truth{.origin = dataset.origin};
+  for (const Photo& photo : photos) {
+    View view{.name = photo.metadata.name};
+    const auto pose = std::ranges::find(poses, view.name, &TruePhotoPose::name);
+    if (pose != poses.end()) view.enu_from_camera = pose->enu_from_camera;
+    truth.views.push_back(std::move(view));
+  }
+  return truth;
+}
+
+Expected<void> run(const std::string& folder_name,
+                   const std::string& truth,
+                   const std::string& only) {
   HF_TRY(const PhotoFolder folder, open_photo_folder(folder_name));
   Tags clean;
   for (const Photo& photo : folder.photos) clean.push_back(photo.metadata);
@@ -154,9 +182,13 @@ Expected<void> run(const std::string& folder_name, const std::string& only) {
   HF_TRY(const GnssIngest gnss, ingest_gnss(clean, options.gnss));
   HF_TRY(const MatchedPhotos matched, match_photos(folder.photos, gnss, options, ctx));
   std::optional<Reconstruction> reference;
+  if (!truth.empty()) {
+    HF_TRY(reference, truth_of(truth, folder.photos));
+  }
   fmt::print(
-      "| fault | photos | tilt deg | scale % | horizontal m | vertical m | reprojection px | "
-      "verdict | stated scale %, tilt deg | CPU s |\n|---|---|---|---|---|---|---|---|---|---|\n");
+      "| fault | photos | tilt deg | scale % | horizontal m | vertical m | after similarity m | "
+      "reprojection px | verdict | stated scale %, tilt deg | CPU s |\n"
+      "|---|---|---|---|---|---|---|---|---|---|---|\n");
   for (const Fault& fault : faults()) {
     if (!only.empty() && fault.name != only && fault.name != "clean") continue;
     Tags tags = clean;
@@ -164,7 +196,7 @@ Expected<void> run(const std::string& folder_name, const std::string& only) {
     options.gnss.form = fault.form;
     const std::clock_t start = std::clock();
     const auto faulty = ingest_gnss(tags, options.gnss);
-    const auto result = faulty ? pose_photos(matched, tags, *faulty, options, ctx)
+    const auto result = faulty ? pose_photos(matched, tags, *faulty, {}, options, ctx)
                                : Expected<Reconstruction>(std::unexpected(faulty.error()));
     const double cpu_s = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
     if (!result) {
@@ -176,8 +208,8 @@ Expected<void> run(const std::string& folder_name, const std::string& only) {
     const auto registered = std::ranges::count_if(
         result->views, [](const View& view) { return view.enu_from_camera.has_value(); });
     fmt::print(
-        "| {} | {}/{} | {:.3f} | {:+.3f} | {:.2f} | {:+.2f} | {:.3f} | {} | {:.2f}, {:.2f} | "
-        "{:.1f} |\n",
+        "| {} | {}/{} | {:.3f} | {:+.3f} | {:.2f} | {:+.2f} | {:.3f} | {:.3f} | {} | "
+        "{:.2f}, {:.2f} | {:.1f} |\n",
         fault.name,
         registered,
         result->views.size(),
@@ -185,6 +217,7 @@ Expected<void> run(const std::string& folder_name, const std::string& only) {
         100.0 * d.scale,
         d.horizontal_m,
         d.vertical_m,
+        d.rms_m,
         result->quality.mean_reprojection_px,
         word_of(result->quality.georeference),
         100.0 * result->quality.scale_sigma,
@@ -205,10 +238,12 @@ int main(int argc, char** argv) {
   CLI::App app("Faults of the GNSS tags of a flight and what they leave of tilt and scale");
   std::string images;
   std::string only;
+  std::string truth;
   app.add_option("--images", images, "Folder of photos with GNSS, time and altitudes")->required();
   app.add_option("--only", only, "One fault (and the clean run)");
+  app.add_option("--truth", truth, "Truth folder to compare with, instead of the clean run");
   CLI11_PARSE(app, argc, argv);
-  const auto done = hybridfusion::run(images, only);
+  const auto done = hybridfusion::run(images, truth, only);
   if (!done) {
     fmt::print(stderr, "{}\n", done.error().message);
     return 1;

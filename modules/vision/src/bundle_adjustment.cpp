@@ -2,6 +2,7 @@
 
 #include "adjustment_costs.hpp"
 #include "adjustment_gnss.hpp"
+#include "schur_covariance.hpp"
 
 #include <algorithm>
 #include <array>
@@ -20,6 +21,7 @@ struct Blocks {
   std::vector<std::array<double, kPoseSize>> poses;  // per view
   std::vector<IntrinsicsVector> intrinsics;          // per camera
   std::vector<Eigen::Vector3d> points;               // per requested track
+  std::vector<Eigen::Vector3d> control;              // per control target
 };
 
 /// Lets the caller's stop token end the solver.
@@ -45,6 +47,7 @@ class Adjuster {
     if (problem_.NumResidualBlocks() == 0) {
       return fail(ErrorCode::kInsufficient, "no triangulated point is seen by the views to adjust");
     }
+    add_control();
     add_intrinsics();
     if (request_.gnss != nullptr) add_gnss();
     hold_fixed();
@@ -58,6 +61,7 @@ class Adjuster {
       return fail(ErrorCode::kDegenerate, "bundle adjustment failed: " + summary.message);
     }
     store();
+    if (request_.covariance) store_covariance();
     return AdjustmentSummary{.iterations = static_cast<int>(summary.iterations.size()),
                              .converged = summary.termination_type == ceres::CONVERGENCE,
                              .initial_cost = summary.initial_cost,
@@ -110,6 +114,30 @@ class Adjuster {
     }
   }
 
+  /// Marked points are measured by eye, and held where they were surveyed.
+  void add_control() {
+    constexpr double kMarkSigma_px = 1.0;
+    for (const ControlTarget& target : request_.control) blocks_.control.push_back(target.position);
+    for (std::size_t k = 0; k < blocks_.control.size(); ++k) {
+      const ControlTarget& target = request_.control[k];
+      double* point = blocks_.control[k].data();
+      for (const ControlTarget::Mark& mark : target.marks) {
+        if (!in_problem_[mark.view]) continue;
+        const double sigma_px = kMarkSigma_px * model_.pixel_scale(mark.view);
+        // NOLINTNEXTLINE(cppcoreguidelines-owning-memory): the problem owns its costs
+        problem_.AddResidualBlock(new ReprojectionCost(mark.pixel, sigma_px),
+                                  loss_.get(),
+                                  blocks_.poses[mark.view].data(),
+                                  point,
+                                  intrinsics_of(mark.view));
+      }
+      if (!problem_.HasParameterBlock(point)) continue;
+      // NOLINTNEXTLINE(cppcoreguidelines-owning-memory): the problem owns its costs
+      auto* surveyed = new NormalPriorCost<3>(target.position, target.sigma_m);
+      problem_.AddResidualBlock(surveyed, nullptr, point);
+    }
+  }
+
   void add_intrinsics() {
     for (std::uint32_t camera = 0; camera < model_.cameras.size(); ++camera) {
       double* block = blocks_.intrinsics[camera].data();
@@ -145,7 +173,8 @@ class Adjuster {
       if (problem_.HasParameterBlock(pose)) problem_.SetManifold(pose, &pose_manifold_);
     }
     for (const std::uint32_t view : request_.fixed_views) hold(view);
-    const bool floating = request_.fixed_views.empty() && request_.gnss == nullptr;
+    const bool floating =
+        request_.fixed_views.empty() && request_.gnss == nullptr && request_.control.empty();
     if (floating && !request_.free_views.empty()) hold(request_.free_views.front());
   }
 
@@ -169,6 +198,7 @@ class Adjuster {
       if (problem_.HasParameterBlock(block)) ordering->AddElementToGroup(block, group);
     };
     for (Eigen::Vector3d& point : blocks_.points) add(point.data(), 0);
+    for (Eigen::Vector3d& point : blocks_.control) add(point.data(), 4);
     for (auto& pose : blocks_.poses) add(pose.data(), 1);
     for (IntrinsicsVector& intrinsics : blocks_.intrinsics) add(intrinsics.data(), 2);
     if (gnss_) {
@@ -191,6 +221,39 @@ class Adjuster {
       if (model_.points[request_.tracks[t]]) model_.points[request_.tracks[t]] = blocks_.points[t];
     }
     if (gnss_) gnss_->store();
+  }
+
+  /// From the Jacobian at the solution, losses applied. Points first, as camera_covariance wants.
+  void store_covariance() {
+    constexpr std::size_t kMaxViews = 300;  // the dense inverse grows with the cube
+    model_.pose_covariance.assign(model_.world_from_view.size(), std::nullopt);
+    if (request_.free_views.size() > kMaxViews) return;
+    ceres::Problem::EvaluateOptions options;
+    const auto add = [&](double* block) {
+      const bool moves =
+          problem_.HasParameterBlock(block) && !problem_.IsParameterBlockConstant(block);
+      if (moves) options.parameter_blocks.push_back(block);
+      return moves;
+    };
+    for (Eigen::Vector3d& point : blocks_.points) add(point.data());
+    for (Eigen::Vector3d& point : blocks_.control) add(point.data());
+    const int point_columns = 3 * static_cast<int>(options.parameter_blocks.size());
+    std::vector<std::uint32_t> views;
+    for (const std::uint32_t view : request_.free_views) {
+      if (add(blocks_.poses[view].data())) views.push_back(view);
+    }
+    for (IntrinsicsVector& intrinsics : blocks_.intrinsics) add(intrinsics.data());
+    if (gnss_) {
+      for (Eigen::Vector3d& errors : gnss_->flights()) add(errors.data());
+    }
+    ceres::CRSMatrix jacobian;
+    if (!problem_.Evaluate(options, nullptr, nullptr, nullptr, &jacobian)) return;
+    const auto covariance = camera_covariance(jacobian, point_columns);
+    if (!covariance) return;
+    for (std::size_t k = 0; k < views.size(); ++k) {
+      const auto at = static_cast<Eigen::Index>(k) * kPoseTangent;
+      model_.pose_covariance[views[k]] = covariance->block<kPoseTangent, kPoseTangent>(at, at);
+    }
   }
 
   double* intrinsics_of(std::uint32_t view) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "control_target.hpp"
 #include "gnss_terms.hpp"
 #include "sfm_model.hpp"
 
@@ -32,6 +33,8 @@ struct AdjustmentRequest {
   double loss_width_px = 1.5;
   int max_iterations = 50;
   GnssTerms* gnss = nullptr;
+  std::span<const ControlTarget> control = {};
+  bool covariance = false;  ///< Fill SfmModel::pose_covariance (up to 300 views).
 };
 
 struct AdjustmentSummary {
@@ -41,10 +44,10 @@ struct AdjustmentSummary {
   double final_cost = 0.0;
 };
 
-/// Without fixed views and GNSS the first free view is held; the scale is left to the damping.
-/// Bundle adjustment, HybridFusion Eq. (1): reprojection errors (Eq. 2, here with distortion and
-/// shared intrinsics under priors) plus GNSS errors, by Levenberg-Marquardt on the Schur complement
-/// of the points. Deterministic (one thread).
+/// Without fixed views, GNSS and control the first free view is held; the scale is left to the
+/// damping. Bundle adjustment, HybridFusion Eq. (1): reprojection errors (Eq. 2, here with
+/// distortion and shared intrinsics under priors) plus GNSS errors, by Levenberg-Marquardt on the
+/// Schur complement of the points. Deterministic (one thread).
 /// @returns kDegenerate when the solver fails, kCancelled.
 [[nodiscard]] Expected<AdjustmentSummary> adjust(SfmModel& model,
                                                  const AdjustmentRequest& request,

@@ -2,6 +2,7 @@
 
 #include "flight_errors.hpp"
 #include "gravity_cue.hpp"
+#include "robust_statistics.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -224,6 +225,32 @@ Expected<EnuAlignment> align_to_enu(const SfmModel& model,
   result.enu_from_world = fit.enu_from_world;
   result.flights = fit.flights;
   warn_of_errors(fit, result);
+  return result;
+}
+
+EnuAlignment align_to_nothing(const SfmModel& model, std::span<const PhotoMetadata> photos) {
+  constexpr double kDepth = 50.0;
+  EnuAlignment result{.altitude_trusted = false};
+  Sim3& placed = result.enu_from_world;
+  if (const std::optional<GravityCue> cue = find_cue(model, photos)) {
+    placed.rotation =
+        Eigen::Quaterniond::FromTwoVectors(cue->up_in_world, Eigen::Vector3d::UnitZ());
+  }
+  const std::vector<std::uint32_t> views = model.registered();
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  for (const std::uint32_t view : views) {
+    middle += model.world_from_view[view]->translation / static_cast<double>(views.size());
+  }
+  std::vector<double> depths;
+  for (std::size_t t = 0; t < model.tracks.size(); ++t) {
+    if (!model.points[t]) continue;
+    for (const TrackElement& e : model.tracks[t]) {
+      if (!e.active) continue;
+      depths.push_back((*model.points[t] - model.world_from_view[e.view]->translation).norm());
+    }
+  }
+  if (!depths.empty()) placed.scale = kDepth / median(std::move(depths));
+  placed.translation = -placed.scale * (placed.rotation * middle);
   return result;
 }
 

@@ -39,6 +39,11 @@ struct EnuAlignment {
                                                   std::span<const PhotoMetadata> photos,
                                                   Random random);
 
+/// Without positions: up as level photos hold it, the cameras around the origin, and scene points
+/// 50 units away from the cameras (median).
+[[nodiscard]] EnuAlignment align_to_nothing(const SfmModel& model,
+                                            std::span<const PhotoMetadata> photos);
+
 /// Moves poses and points.
 void transform_model(SfmModel& model, const Sim3& target_from_world);
 

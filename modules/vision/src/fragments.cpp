@@ -32,6 +32,8 @@ Expected<Fragments> map_fragments(const SfmModel& empty,
                                   const RunContext& ctx) {
   Fragments result{.model = empty};
   std::vector<bool> usable(metadata.size(), true);
+  const bool placeable = std::ranges::any_of(
+      gnss.fixes, [](const PhotoFix& f) { return f.position_in_enu.has_value(); });
   for (int fragment = 0;; ++fragment) {
     SfmModel model = empty;
     model.cameras = result.model.cameras;
@@ -40,8 +42,10 @@ Expected<Fragments> map_fragments(const SfmModel& empty,
     if (fragment == 0) result.reasons = mapper.reasons();
     const std::vector<std::uint32_t> views = model.registered();
     if (static_cast<int>(views.size()) < options.mapping.min_model_photos) break;
-    const auto alignment =
-        align_to_enu(model, gnss, metadata, Random(ctx.seed, "vision/alignment"));
+    const Expected<EnuAlignment> alignment =
+        !placeable && fragment == 0
+            ? align_to_nothing(model, metadata)
+            : align_to_enu(model, gnss, metadata, Random(ctx.seed, "vision/alignment"));
     if (!alignment && fragment == 0) return std::unexpected(alignment.error());
     for (const std::uint32_t view : views) usable[view] = false;
     if (!alignment) {

@@ -3,10 +3,13 @@
 #include "gnss_adjustment.hpp"
 #include "robust_statistics.hpp"
 
+#include <hybridfusion/core/sim3.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include <Eigen/Dense>
 #include <fmt/format.h>
 
 namespace hybridfusion {
@@ -144,6 +147,53 @@ void assess_georeference(const SfmModel& model,
   }
   judge_flights(terms, judge);
   judge_excess(terms, gnss, judge);
+}
+
+double dome_between(std::span<const Eigen::Vector3d> before,
+                    std::span<const Eigen::Vector3d> after) {
+  constexpr std::size_t kLeast = 8;
+  if (before.size() < kLeast) return 0.0;
+  const auto after_from_before = fit_sim3(after, before);
+  if (!after_from_before) return 0.0;
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& c : after) middle += c / static_cast<double>(after.size());
+  Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
+  Eigen::Vector4d right = Eigen::Vector4d::Zero();
+  double edge2 = 0.0;
+  for (std::size_t i = 0; i < after.size(); ++i) {
+    const Eigen::Vector2d at = (after[i] - middle).head<2>();
+    const double rise = (after[i] - *after_from_before * before[i]).z();
+    const Eigen::Vector4d row(1.0, at.x(), at.y(), at.squaredNorm());
+    normal += row * row.transpose();
+    right += rise * row;
+    edge2 = std::max(edge2, at.squaredNorm());
+  }
+  const Eigen::Vector4d solution = normal.ldlt().solve(right);
+  return solution.allFinite() ? solution[3] * edge2 : 0.0;
+}
+
+void judge_control(std::span<const ControlTarget> targets, Reconstruction& result) {
+  std::vector<double> gaps_m;
+  for (const ControlResidual& residual : result.control) {
+    if (residual.held_out_m.allFinite()) gaps_m.push_back(residual.held_out_m.norm());
+  }
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (const ControlTarget& target : targets) {
+    mean += target.position / static_cast<double>(targets.size());
+  }
+  double spread2 = 0.0;
+  for (const ControlTarget& target : targets) {
+    spread2 += (target.position - mean).squaredNorm();
+  }
+  if (gaps_m.empty() || !(spread2 > 0.0)) return;
+  const double gap_m = median(std::move(gaps_m));
+  result.quality.scale_sigma = gap_m / std::sqrt(spread2);
+  result.quality.tilt_sigma_rad = result.quality.scale_sigma;
+  Judge judge(result.quality);
+  judge.limit(result.quality.scale_sigma,
+              0.005,
+              0.01,
+              fmt::format("ground control points leave {:.2f} m when they are held out", gap_m));
 }
 
 }  // namespace hybridfusion

@@ -135,6 +135,7 @@ std::vector<Eigen::Vector3d> gnss_residuals(const SfmModel& model, const GnssTer
 
 Expected<void> adjust_with_gnss(SfmModel& model,
                                 GnssTerms& terms,
+                                std::span<const ControlTarget> control,
                                 const ReconstructionOptions& options,
                                 const RunContext& ctx) {
   const GnssTerms stated = terms;
@@ -157,7 +158,10 @@ Expected<void> adjust_with_gnss(SfmModel& model,
     request.sigma_px = std::max(sigma_px, options.adjustment.sigma_px);
     request.loss_width_px = options.adjustment.loss_width_px;
     request.max_iterations = options.adjustment.max_iterations;
-    request.gnss = &terms;
+    if (!terms.observations.empty()) request.gnss = &terms;
+    request.control = control;
+    const bool held = request.gnss != nullptr || !control.empty();
+    request.covariance = held && round + 1 == options.adjustment.rounds;
     HF_TRY(const AdjustmentSummary summary, adjust(model, request, options.intrinsics, ctx));
     if (terms.form == GnssForm::kDisplacement) restore_place(model, terms);
     update_velocities(model, terms);

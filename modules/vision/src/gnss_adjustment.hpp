@@ -25,8 +25,10 @@ namespace hybridfusion {
 /// Final adjustments of an aligned model: reprojection and GNSS errors with all intrinsics, then
 /// filtering and triangulating again; repeated. The deviations of pixels and of GNSS are estimated
 /// from the residuals in between.
+/// @param control  Surveyed points, which hold the model as GNSS does.
 [[nodiscard]] Expected<void> adjust_with_gnss(SfmModel& model,
                                               GnssTerms& terms,
+                                              std::span<const ControlTarget> control,
                                               const ReconstructionOptions& options,
                                               const RunContext& ctx);
 

@@ -31,9 +31,11 @@ struct MatchedPhotos {
 
 /// Poses, calibration and points from the matches: mapping, placement, adjustment, judgement.
 /// @param metadata  One per photo.
+/// @param control   Surveyed points, which take the place of GNSS.
 [[nodiscard]] Expected<Reconstruction> pose_photos(const MatchedPhotos& matched,
                                                    std::span<const PhotoMetadata> metadata,
                                                    GnssIngest gnss,
+                                                   std::span<const ControlPoint> control,
                                                    const ReconstructionOptions& options,
                                                    const RunContext& ctx);
 

@@ -84,6 +84,7 @@ Reconstruction export_model(const Fragments& mapped,
     view.name = metadata[v].name;
     view.camera = model.camera_of_view[v];
     view.enu_from_camera = model.world_from_view[v];
+    if (v < model.pose_covariance.size()) view.pose_covariance = model.pose_covariance[v];
     view.gnss_in_enu = gnss.fixes[v].position_in_enu;
     if (view.gnss_in_enu) view.gnss_sigma_m = gnss.fixes[v].sigma_m;
     if (view.enu_from_camera) continue;

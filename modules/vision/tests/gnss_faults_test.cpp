@@ -87,7 +87,7 @@ Outcome reconstruct_case(const Case& c) {
   transform_model(model, alignment->enu_from_world);
   const ReconstructionOptions options;
   GnssTerms terms = gnss_terms(model, c.gnss, options.gnss, outcome.placement);
-  EXPECT_TRUE(adjust_with_gnss(model, terms, options, {}));
+  EXPECT_TRUE(adjust_with_gnss(model, terms, {}, options, {}));
   assess_georeference(model, terms, c.gnss, outcome.placement, outcome.quality);
   std::vector<Eigen::Vector3d> truth;
   std::vector<Eigen::Vector3d> found;

@@ -64,6 +64,7 @@ struct OptionFields<FeatureOptions> {
 struct PairOptions {
   int spatial_neighbors = 8;
   int temporal_neighbors = 3;
+  int similar_neighbors = 20;
   int exhaustive_photos = 12;
 };
 template <>
@@ -86,6 +87,14 @@ struct OptionFields<PairOptions> {
              .max = 100,
              .doc = "Each photo is matched with this many next ones in time.",
              .source = "HybridFusion III-A.2, adjacent frames"}},
+      Field{&T::similar_neighbors,
+            {.key = "similar_neighbors",
+             .unit = "photos",
+             .min = 0,
+             .max = 500,
+             .doc = "In sets of more than 60, a photo without a position is matched with this many "
+                    "that look most alike.",
+             .source = "Jegou et al. 2010 (VLAD)"}},
       Field{&T::exhaustive_photos,
             {.key = "exhaustive_photos",
              .unit = "photos",

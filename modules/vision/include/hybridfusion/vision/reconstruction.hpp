@@ -4,6 +4,7 @@
 #include <hybridfusion/core/point_cloud.hpp>
 #include <hybridfusion/core/rigid3.hpp>
 #include <hybridfusion/vision/camera.hpp>
+#include <hybridfusion/vision/ground_control.hpp>
 
 #include <cstdint>
 #include <optional>
@@ -25,6 +26,9 @@ struct View {
   std::string name = {};
   std::uint32_t camera = 0;                    ///< Into Reconstruction::cameras.
   std::optional<Rigid3> enu_from_camera = {};  ///< Camera: x right, y down, z forward.
+  /// Of [camera centre, east-north-up (m); rotation, right perturbation (rad)], from pixels, GNSS
+  /// and calibration together. Empty in sets too large for it (300 photos) and without positions.
+  std::optional<Eigen::Matrix<double, 6, 6>> pose_covariance = {};
   std::vector<Observation> observations = {};
   std::optional<Eigen::Vector3d> gnss_in_enu = {};   ///< Absent or rejected: empty.
   std::optional<Eigen::Vector3d> gnss_sigma_m = {};  ///< As used in the adjustment.
@@ -68,8 +72,11 @@ struct ReconstructionQuality {
   double estimated_sigma_horizontal_m = 0.0;
   double estimated_sigma_vertical_m = 0.0;
   double initial_focal_px = 0.0;
-  double scale_sigma = 0.0;                ///< Relative standard deviation of the scale.
-  double tilt_sigma_rad = 0.0;             ///< Standard deviation of the up direction.
+  double scale_sigma = 0.0;     ///< Relative standard deviation of the scale.
+  double tilt_sigma_rad = 0.0;  ///< Standard deviation of the up direction.
+  /// Height by which GNSS bent the block at its edge against its middle: near 0 where images and
+  /// GNSS agree; a wrong calibration domes it.
+  double dome_m = 0.0;
   std::vector<FlightErrors> flights = {};  ///< Estimated errors of the GNSS tags, per flight.
   GeoreferenceVerdict georeference = GeoreferenceVerdict::kGood;
   std::vector<std::string> georeference_reasons = {};  ///< Why it is not kGood.
@@ -78,9 +85,13 @@ struct ReconstructionQuality {
 /// Cameras and sparse points in the east-north-up frame at `origin`.
 struct Reconstruction {
   GeodeticOrigin origin = {};
+  /// False: no positions were usable. Then the frame is arbitrary: z about up where that is known,
+  /// the middle of the cameras at the origin, and a unit that is no metre.
+  bool georeferenced = true;
   std::vector<CameraIntrinsics> cameras = {};
   std::vector<View> views = {};
   std::vector<ScenePoint> points = {};
+  std::vector<ControlResidual> control = {};  ///< Of the surveyed points, in input order.
   ReconstructionQuality quality = {};
   std::vector<std::string> warnings = {};
 };

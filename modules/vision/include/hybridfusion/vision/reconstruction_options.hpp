@@ -4,6 +4,7 @@
 #include <hybridfusion/vision/gnss_options.hpp>
 #include <hybridfusion/vision/mapping_options.hpp>
 #include <hybridfusion/vision/matching_options.hpp>
+#include <hybridfusion/vision/rolling_shutter_options.hpp>
 
 namespace hybridfusion {
 
@@ -15,6 +16,7 @@ struct ReconstructionOptions {
   MappingOptions mapping = {};
   GnssOptions gnss = {};
   AdjustmentOptions adjustment = {};
+  RollingShutterOptions rolling_shutter = {};
 };
 template <>
 struct OptionFields<ReconstructionOptions> {
@@ -27,6 +29,7 @@ struct OptionFields<ReconstructionOptions> {
       Field{&T::mapping, {.key = "mapping"}},
       Field{&T::gnss, {.key = "gnss"}},
       Field{&T::adjustment, {.key = "adjustment"}},
+      Field{&T::rolling_shutter, {.key = "rolling_shutter"}},
   };
 };
 
