@@ -223,36 +223,23 @@ class Adjuster {
     if (gnss_) gnss_->store();
   }
 
-  /// From the Jacobian at the solution, losses applied. Points first, as camera_covariance wants.
   void store_covariance() {
     constexpr std::size_t kMaxViews = 300;  // the dense inverse grows with the cube
     model_.pose_covariance.assign(model_.world_from_view.size(), std::nullopt);
     if (request_.free_views.size() > kMaxViews) return;
-    ceres::Problem::EvaluateOptions options;
-    const auto add = [&](double* block) {
-      const bool moves =
-          problem_.HasParameterBlock(block) && !problem_.IsParameterBlockConstant(block);
-      if (moves) options.parameter_blocks.push_back(block);
-      return moves;
-    };
-    for (Eigen::Vector3d& point : blocks_.points) add(point.data());
-    for (Eigen::Vector3d& point : blocks_.control) add(point.data());
-    const int point_columns = 3 * static_cast<int>(options.parameter_blocks.size());
-    std::vector<std::uint32_t> views;
+    CovarianceBlocks blocks;
+    for (Eigen::Vector3d& point : blocks_.points) blocks.points.push_back(point.data());
+    for (Eigen::Vector3d& point : blocks_.control) blocks.points.push_back(point.data());
     for (const std::uint32_t view : request_.free_views) {
-      if (add(blocks_.poses[view].data())) views.push_back(view);
+      blocks.poses.push_back(blocks_.poses[view].data());
     }
-    for (IntrinsicsVector& intrinsics : blocks_.intrinsics) add(intrinsics.data());
+    for (IntrinsicsVector& camera : blocks_.intrinsics) blocks.others.push_back(camera.data());
     if (gnss_) {
-      for (Eigen::Vector3d& errors : gnss_->flights()) add(errors.data());
+      for (Eigen::Vector3d& errors : gnss_->flights()) blocks.others.push_back(errors.data());
     }
-    ceres::CRSMatrix jacobian;
-    if (!problem_.Evaluate(options, nullptr, nullptr, nullptr, &jacobian)) return;
-    const auto covariance = camera_covariance(jacobian, point_columns);
-    if (!covariance) return;
-    for (std::size_t k = 0; k < views.size(); ++k) {
-      const auto at = static_cast<Eigen::Index>(k) * kPoseTangent;
-      model_.pose_covariance[views[k]] = covariance->block<kPoseTangent, kPoseTangent>(at, at);
+    const auto covariances = pose_covariances(problem_, blocks);
+    for (std::size_t k = 0; k < covariances.size(); ++k) {
+      model_.pose_covariance[request_.free_views[k]] = covariances[k];
     }
   }
 

@@ -145,6 +145,12 @@ void assess_georeference(const SfmModel& model,
     judge.find(GeoreferenceVerdict::kLimited,
                "the altitudes contradict the direction of gravity: heights are uncertain");
   }
+  constexpr double kDeadSea_m = -50.0;
+  if (has_altitudes && gnss.origin.altitude_m < kDeadSea_m) {
+    judge.find(
+        GeoreferenceVerdict::kLimited,
+        "the photos lie below sea level: GPSAltitudeRef may be wrong, and the height with it");
+  }
   judge_flights(terms, judge);
   judge_excess(terms, gnss, judge);
 }

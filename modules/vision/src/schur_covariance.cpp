@@ -73,4 +73,32 @@ std::optional<Eigen::MatrixXd> camera_covariance(const ceres::CRSMatrix& jacobia
   return Eigen::MatrixXd(scale.asDiagonal() * inverse * scale.asDiagonal());
 }
 
+std::vector<std::optional<Eigen::Matrix<double, 6, 6>>> pose_covariances(
+    ceres::Problem& problem, const CovarianceBlocks& blocks) {
+  constexpr int kPose = 6;
+  std::vector<std::optional<Eigen::Matrix<double, kPose, kPose>>> result(blocks.poses.size());
+  ceres::Problem::EvaluateOptions options;
+  const auto add = [&](double* block) {
+    const bool moves = problem.HasParameterBlock(block) && !problem.IsParameterBlockConstant(block);
+    if (moves) options.parameter_blocks.push_back(block);
+    return moves;
+  };
+  for (double* point : blocks.points) add(point);
+  const int point_columns = kPoint * static_cast<int>(options.parameter_blocks.size());
+  std::vector<std::size_t> poses;
+  for (std::size_t k = 0; k < blocks.poses.size(); ++k) {
+    if (add(blocks.poses[k])) poses.push_back(k);
+  }
+  for (double* other : blocks.others) add(other);
+  ceres::CRSMatrix jacobian;
+  if (!problem.Evaluate(options, nullptr, nullptr, nullptr, &jacobian)) return result;
+  const auto covariance = camera_covariance(jacobian, point_columns);
+  if (!covariance) return result;
+  for (std::size_t k = 0; k < poses.size(); ++k) {
+    const auto at = static_cast<Eigen::Index>(k) * kPose;
+    result[poses[k]] = covariance->block<kPose, kPose>(at, at);
+  }
+  return result;
+}
+
 }  // namespace hybridfusion

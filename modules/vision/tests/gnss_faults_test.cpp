@@ -168,9 +168,12 @@ TEST_P(GnssFaults, AltitudesOfTheWrongSignDoNotTurnTheModelOver) {
   Case c = make_case(GetParam());
   // 300 m above the sea, written as below it.
   for (PhotoFix& fix : c.gnss.fixes) {
-    fix.position_in_enu->z() = -300.0 - (fix.position_in_enu->z() - 65.0);
+    fix.position_in_enu->z() = -(fix.position_in_enu->z() - 65.0);
   }
-  expect_scale_and_tilt(reconstruct_case(c));
+  c.gnss.origin.altitude_m = -300.0;
+  const Outcome outcome = reconstruct_case(c);
+  expect_scale_and_tilt(outcome);
+  EXPECT_EQ(outcome.quality.georeference, GeoreferenceVerdict::kLimited);
 }
 
 TEST_P(GnssFaults, MissingAltitudesLeaveTheTiltToTheCameraMount) {
