@@ -36,7 +36,9 @@ int run(const RunArguments& arguments, Session& session) {
       session,
       arguments.output,
       stages_from(arguments.from),
-      {[&](Project& project) { return reconstruct_stage(project, arguments.images, ctx); },
+      {[&](Project& project) {
+         return reconstruct_stage(project, {.images = arguments.images}, ctx);
+       },
        [&](Project& project) {
          return map_stage(project, arguments.bag, optional_path(arguments.sensors), ctx);
        },

@@ -71,14 +71,20 @@ TEST_F(BadInput, AFolderOfBrokenPhotosIsRefused) {
   expect_refused(reconstruct(path("images")), "images");
 }
 
-TEST_F(BadInput, PhotosWithoutGnssAreRefusedBeforeTheWork) {
+TEST_F(BadInput, PhotosThatShowNothingAreRefused) {
   Image8 image{.width = 64, .height = 48, .channels = 3};
   image.pixels.assign(64 * 48 * 3, 90);
   std::filesystem::create_directories(path("images"));
   for (const char* name : {"a.jpg", "b.jpg", "c.jpg", "d.jpg"}) {
     ASSERT_TRUE(write_jpeg(folder_ / "images" / name, image, 90));
   }
-  expect_refused(reconstruct(path("images")), "GNSS");
+  expect_refused(reconstruct(path("images")), "three photos");
+}
+
+TEST_F(BadInput, CloudsInAnArbitraryFrameAreNotRegistered) {
+  const std::string cloud = write("vision/dense.ply", ply_of(100));
+  write("vision/frame.json", "{}");
+  expect_refused(register_clouds(cloud, write("l.ply", ply_of(100))), "--gcp");
 }
 
 TEST_F(BadInput, EmptyAndForeignRecordingsAreRefused) {

@@ -39,6 +39,28 @@ class EnuToProjected {
   std::unique_ptr<State> state_;
 };
 
+/// Converts coordinates of a system to WGS84. Heights stay as they are unless the system has a
+/// vertical part.
+class ProjectedToGeodetic {
+ public:
+  /// @param system  "EPSG:n", "EPSG:n+m", "WGS84 UTM 32N" or a PROJ string "+proj=...".
+  /// @returns kInvalidOptions for a system that PROJ does not know.
+  [[nodiscard]] static Expected<ProjectedToGeodetic> create(const std::string& system);
+
+  ProjectedToGeodetic(ProjectedToGeodetic&&) noexcept;
+  ProjectedToGeodetic& operator=(ProjectedToGeodetic&&) noexcept;
+  ~ProjectedToGeodetic();
+
+  /// @param point  Easting or longitude, northing or latitude, height.
+  /// @returns kDegenerate where the system does not reach.
+  [[nodiscard]] Expected<GeodeticPosition> operator()(const Eigen::Vector3d& point) const;
+
+ private:
+  struct State;
+  explicit ProjectedToGeodetic(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
 /// What a WKT of either version says; only the name is filled when it cannot be interpreted.
 [[nodiscard]] CrsDescription describe_crs(const std::string& wkt);
 /// The system of an EPSG code; nothing when PROJ does not know it.

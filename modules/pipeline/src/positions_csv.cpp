@@ -12,16 +12,6 @@ namespace {
 constexpr std::uint64_t kMaxCsvBytes = 256U << 20U;
 constexpr std::size_t kNumColumns = 11;
 
-std::string quoted(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string result = "\"";
-  for (const char c : text) {
-    if (c == '"') result += '"';
-    result += c;
-  }
-  return result + '"';
-}
-
 std::string coordinates(const std::optional<Eigen::Vector3d>& point) {
   if (!point) return ",,";
   return fmt::format("{:.6f},{:.6f},{:.6f}", point->x(), point->y(), point->z());
@@ -68,6 +58,16 @@ std::optional<Eigen::Vector3d> point_of(const std::vector<std::string>& fields, 
 
 }  // namespace
 
+std::string csv_text(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"') result += '"';
+    result += c;
+  }
+  return result + '"';
+}
+
 Expected<void> write_positions_csv(const std::filesystem::path& path,
                                    const std::vector<PositionRow>& rows) {
   std::string text = "name,registered,x,y,z,gnss_x,gnss_y,gnss_z,residual_h,residual_v,reason\n";
@@ -78,12 +78,12 @@ Expected<void> write_positions_csv(const std::filesystem::path& path,
       residuals = fmt::format("{:.6f},{:.6f}", residual.head<2>().norm(), residual.z());
     }
     text += fmt::format("{},{},{},{},{},{}\n",
-                        quoted(row.name),
+                        csv_text(row.name),
                         row.position ? 1 : 0,
                         coordinates(row.position),
                         coordinates(row.gnss),
                         residuals,
-                        quoted(row.reason));
+                        csv_text(row.reason));
   }
   return write_file_atomically(path, text);
 }

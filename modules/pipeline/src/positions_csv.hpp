@@ -19,6 +19,9 @@ struct PositionRow {
   std::string reason = {};
 };
 
+/// A text as a field of a table, quoted as in RFC 4180 where it must be.
+[[nodiscard]] std::string csv_text(const std::string& text);
+
 /// Columns: name,registered,x,y,z,gnss_x,gnss_y,gnss_z,residual_h,residual_v,reason. A comma, a
 /// quote or a line break in a text is quoted as in RFC 4180.
 [[nodiscard]] Expected<void> write_positions_csv(const std::filesystem::path& path,

@@ -1,9 +1,12 @@
 #include "imported_poses.hpp"
 #include "json_text.hpp"
+#include "reconstruct_summary.hpp"
 #include "stage_runner.hpp"
 #include "vision_files.hpp"
 #include "workspace_data.hpp"
 
+#include <hybridfusion/io/atomic_file.hpp>
+#include <hybridfusion/io/geo_tags.hpp>
 #include <hybridfusion/io/ply.hpp>
 #include <hybridfusion/pipeline/pipeline_options.hpp>
 #include <hybridfusion/pipeline/stages.hpp>
@@ -11,14 +14,15 @@
 #include <hybridfusion/vision/reconstruct.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <iterator>
+#include <string_view>
+#include <system_error>
 
 #include <fmt/format.h>
 
 namespace hybridfusion {
 namespace {
-
-constexpr std::size_t kMinPositionedPhotos = 3;
 
 std::vector<std::filesystem::path> photo_files(const PhotoFolder& folder) {
   std::vector<std::filesystem::path> files;
@@ -30,85 +34,98 @@ std::vector<std::filesystem::path> photo_files(const PhotoFolder& folder) {
   return files;
 }
 
-/// Without positions there is neither scale nor place; better said before an hour of matching.
-Expected<void> check_positions(const PhotoFolder& folder) {
-  const auto positioned =
-      static_cast<std::size_t>(std::ranges::count_if(folder.photos, [](const Photo& photo) {
-        return photo.metadata.latitude_deg && photo.metadata.longitude_deg;
-      }));
-  if (positioned >= kMinPositionedPhotos) return {};
-  return fail(
-      ErrorCode::kInsufficient,
-      fmt::format("{}: {} of {} photos have a GNSS position in their EXIF data, at least {} "
-                  "are needed for scale and place; use the original files of the camera",
-                  folder.folder.string(),
-                  positioned,
-                  folder.photos.size(),
-                  kMinPositionedPhotos));
+/// Positions beside the photos, as OpenDroneMap keeps them, unless others are given.
+std::optional<std::filesystem::path> given_or_beside(
+    const std::optional<std::filesystem::path>& given,
+    const std::filesystem::path& images,
+    std::string_view name) {
+  if (given) return given;
+  std::error_code code;
+  const std::filesystem::path beside = images / name;
+  if (std::filesystem::is_regular_file(beside, code)) return beside;
+  return std::nullopt;
 }
 
-StageResult describe(const Reconstruction& reconstruction,
-                     const PhotoFolder& folder,
-                     const PointCloud& dense) {
-  const auto registered = std::ranges::count_if(
-      reconstruction.views, [](const View& view) { return view.enu_from_camera.has_value(); });
-  const ReconstructionQuality& quality = reconstruction.quality;
-  const double focal_px =
-      reconstruction.cameras.empty() ? 0.0 : reconstruction.cameras.front().focal_px;
-  const double focal_change =
-      quality.initial_focal_px > 0.0 ? focal_px / quality.initial_focal_px - 1.0 : 0.0;
-  Json rejected = Json::array();
-  for (const PositionRow& row : position_rows(reconstruction, folder.quarantined)) {
-    if (!row.position) rejected.push_back(row.name + ": " + row.reason);
+PhotoInputs completed(PhotoInputs inputs) {
+  inputs.geo_tags = given_or_beside(inputs.geo_tags, inputs.images, "geo.txt");
+  inputs.control = given_or_beside(inputs.control, inputs.images, "gcp_list.txt");
+  return inputs;
+}
+
+Expected<void> take_geo_tags(const std::filesystem::path& path,
+                             PhotoFolder& folder,
+                             const RunContext& ctx) {
+  HF_TRY(const std::vector<GeoTag> tags, read_geo_tags(path));
+  const std::size_t tagged = apply_geo_tags(tags, folder.photos);
+  if (tagged == 0) {
+    return fail(ErrorCode::kInsufficient,
+                fmt::format("{}: none of its {} names is a photo of {}; give file names without "
+                            "folder, as they are written there",
+                            path.string(),
+                            tags.size(),
+                            folder.folder.string()));
   }
-  const Json json = {{"num_photos", reconstruction.views.size() + folder.quarantined.size()},
-                     {"num_registered", registered},
-                     {"num_quarantined", folder.quarantined.size()},
-                     {"not_registered", rejected},
-                     {"num_scene_points", reconstruction.points.size()},
-                     {"num_dense_points", dense.size()},
-                     {"mean_reprojection_px", quality.mean_reprojection_px},
-                     {"median_reprojection_px", quality.median_reprojection_px},
-                     {"initial_focal_px", quality.initial_focal_px},
-                     {"focal_px", focal_px},
-                     {"focal_change", focal_change},
-                     {"gnss_horizontal_rms_m", quality.gnss_horizontal_rms_m},
-                     {"gnss_vertical_rms_m", quality.gnss_vertical_rms_m},
-                     {"gnss_sigma_horizontal_m", quality.estimated_sigma_horizontal_m},
-                     {"gnss_sigma_vertical_m", quality.estimated_sigma_vertical_m},
-                     {"scale_sigma", quality.scale_sigma},
-                     {"warnings", reconstruction.warnings}};
-  StageResult result{.json = to_text(json)};
-  result.summary = {
-      fmt::format("{} of {} photos registered, {} damaged",
-                  registered,
-                  reconstruction.views.size() + folder.quarantined.size(),
-                  folder.quarantined.size()),
-      fmt::format("reprojection {:.2f} px, focal length {:+.2f} % against its first value",
-                  quality.mean_reprojection_px,
-                  100.0 * focal_change),
-      fmt::format("GNSS residuals {:.2f} m horizontal, {:.2f} m vertical (rms)",
-                  quality.gnss_horizontal_rms_m,
-                  quality.gnss_vertical_rms_m),
-      fmt::format("{} scene points, {} dense points", reconstruction.points.size(), dense.size())};
-  return result;
+  ctx.info(
+      fmt::format("{}: positions of {} of {} photos", path.string(), tagged, folder.photos.size()));
+  return {};
 }
 
-using PosesFolder = std::optional<std::filesystem::path>;
+/// Surveyed points with the photos by index. A name that starts with "chk" is for checking only.
+Expected<std::vector<ControlPoint>> control_points(const std::filesystem::path& path,
+                                                   const PhotoFolder& folder,
+                                                   const RunContext& ctx) {
+  HF_TRY(const std::vector<SurveyedPoint> surveyed, read_surveyed_points(path));
+  std::vector<ControlPoint> points;
+  std::size_t unknown = 0;
+  for (const SurveyedPoint& from : surveyed) {
+    std::string start = from.name.substr(0, 3);
+    std::ranges::transform(start, start.begin(), [](unsigned char c) { return std::tolower(c); });
+    ControlPoint point{.name = from.name, .position = from.position, .check = start == "chk"};
+    for (const SurveyedPoint::Mark& mark : from.marks) {
+      const auto photo = std::ranges::find_if(
+          folder.photos, [&](const Photo& p) { return p.metadata.name == mark.photo; });
+      if (photo == folder.photos.end()) {
+        ++unknown;
+        continue;
+      }
+      point.marks.push_back(
+          {.photo = static_cast<std::size_t>(photo - folder.photos.begin()), .pixel = mark.pixel});
+    }
+    points.push_back(std::move(point));
+  }
+  if (unknown > 0) {
+    ctx.warn(fmt::format("{}: {} marks name photos that are not there", path.string(), unknown));
+  }
+  return points;
+}
 
 /// By structure from motion, or from the given poses.
 Expected<Reconstruction> posed_photos(const PhotoFolder& folder,
-                                      const PosesFolder& poses,
+                                      const PhotoInputs& inputs,
                                       const ReconstructionOptions& options,
                                       const RunContext& ctx) {
-  if (poses) return import_poses(*poses, folder.photos, options.gnss);
-  if (auto enough = check_positions(folder); !enough) return std::unexpected(enough.error());
-  return reconstruct(folder.photos, options, ctx);
+  if (inputs.poses) return import_poses(*inputs.poses, folder.photos, options.gnss);
+  std::vector<ControlPoint> control;
+  if (inputs.control) {
+    HF_TRY(control, control_points(*inputs.control, folder, ctx));
+  }
+  return reconstruct(folder.photos, options, ctx, control);
+}
+
+/// Where the result lies: origin.json; frame.json instead says that it lies nowhere.
+Expected<void> write_frame(const Workspace& workspace, const Reconstruction& reconstruction) {
+  if (reconstruction.georeferenced) {
+    return write_origin(workspace.path(workspace_file::kOrigin), reconstruction.origin);
+  }
+  const Json json = {{"frame", "arbitrary"},
+                     {"metric", false},
+                     {"reason", "the photos have no usable position and no ground control"}};
+  return write_file_atomically(workspace.path(workspace_file::kFrame), to_text(json));
 }
 
 Expected<StageResult> reconstruct_into(Project& project,
                                        const PhotoFolder& folder,
-                                       const PosesFolder& poses,
+                                       const PhotoInputs& inputs,
                                        const RunContext& ctx) {
   const Workspace& workspace = project.workspace;
   const VisionStageOptions& options = project.options.vision;
@@ -117,7 +134,7 @@ Expected<StageResult> reconstruct_into(Project& project,
   }
   if (auto made = workspace.make_folder("vision"); !made) return std::unexpected(made.error());
   HF_TRY(const Reconstruction reconstruction,
-         posed_photos(folder, poses, options.reconstruction, ctx));
+         posed_photos(folder, inputs, options.reconstruction, ctx));
   for (const std::string& warning : reconstruction.warnings) ctx.warn(warning);
   HF_TRY(const PointCloud dense, densify(folder.photos, reconstruction, options.densify, ctx));
   auto written = write_colmap_model(workspace.path("vision"), colmap_model_of(reconstruction));
@@ -126,20 +143,22 @@ Expected<StageResult> reconstruct_into(Project& project,
                                   position_rows(reconstruction, folder.quarantined));
   }
   if (written) {
-    written = write_origin(workspace.path(workspace_file::kOrigin), reconstruction.origin);
+    written = write_file_atomically(workspace.path(workspace_file::kPoseCovariance),
+                                    covariance_csv(reconstruction));
   }
+  if (written) written = write_frame(workspace, reconstruction);
   if (written) written = write_ply(workspace.path(workspace_file::kDense), dense);
   if (!written) return std::unexpected(written.error());
-  return describe(reconstruction, folder, dense);
+  return reconstruct_summary(reconstruction, folder, dense);
 }
 
 }  // namespace
 
 Expected<StageOutcome> reconstruct_stage(Project& project,
-                                         const std::filesystem::path& images,
-                                         const RunContext& ctx,
-                                         const std::optional<std::filesystem::path>& poses) {
-  HF_TRY(const PhotoFolder folder, open_photo_folder(images));
+                                         const PhotoInputs& given,
+                                         const RunContext& ctx) {
+  const PhotoInputs inputs = completed(given);
+  HF_TRY(PhotoFolder folder, open_photo_folder(inputs.images));
   StagePlan plan{.stage = "reconstruct",
                  .option_groups = {"vision"},
                  .inputs = photo_files(folder),
@@ -148,13 +167,22 @@ Expected<StageOutcome> reconstruct_stage(Project& project,
                              workspace_file::kPoints3d,
                              workspace_file::kPositions,
                              workspace_file::kOrigin,
+                             workspace_file::kFrame,
+                             workspace_file::kPoseCovariance,
                              workspace_file::kDense}};
-  if (poses) {
+  if (inputs.geo_tags) {
+    if (auto taken = take_geo_tags(*inputs.geo_tags, folder, ctx); !taken) {
+      return std::unexpected(taken.error());
+    }
+    plan.inputs.push_back(*inputs.geo_tags);
+  }
+  if (inputs.control) plan.inputs.push_back(*inputs.control);
+  if (inputs.poses) {
     plan.variant = "given poses";
-    std::ranges::copy(pose_files(*poses), std::back_inserter(plan.inputs));
+    std::ranges::copy(pose_files(*inputs.poses), std::back_inserter(plan.inputs));
   }
   return run_stage(
-      project, plan, ctx, [&] { return reconstruct_into(project, folder, poses, ctx); });
+      project, plan, ctx, [&] { return reconstruct_into(project, folder, inputs, ctx); });
 }
 
 }  // namespace hybridfusion

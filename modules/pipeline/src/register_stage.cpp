@@ -259,6 +259,13 @@ Expected<StageResult> register_into(Project& project,
 Expected<StageOutcome> register_stage(Project& project,
                                       const RegisterInputs& inputs,
                                       const RunContext& ctx) {
+  if (beside(inputs.vision, "frame.json")) {
+    return fail(ErrorCode::kInsufficient,
+                fmt::format("{}: its frame is arbitrary and its unit is no metre, because the "
+                            "photos have no position; run reconstruct with --geo (positions of "
+                            "photos) or --gcp (ground control points)",
+                            inputs.vision.string()));
+  }
   const Companions companions = companions_of(inputs);
   StagePlan plan{
       .stage = "register",

@@ -3,6 +3,10 @@
 #include "colmap_intrinsics.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
 
 namespace hybridfusion {
 namespace {
@@ -76,6 +80,28 @@ std::vector<PositionRow> position_rows(const Reconstruction& reconstruction,
   }
   std::ranges::sort(rows, {}, &PositionRow::name);
   return rows;
+}
+
+std::string covariance_csv(const Reconstruction& reconstruction) {
+  constexpr double kDegree = std::numbers::pi / 180.0;
+  std::string text = "name,sigma_e_m,sigma_n_m,sigma_u_m,sigma_rx_deg,sigma_ry_deg,sigma_rz_deg";
+  for (int r = 0; r < 6; ++r) {
+    for (int c = r; c < 6; ++c) text += fmt::format(",c{}{}", r + 1, c + 1);
+  }
+  text += '\n';
+  for (const View& view : reconstruction.views) {
+    if (!view.pose_covariance) continue;
+    const Eigen::Matrix<double, 6, 6>& covariance = *view.pose_covariance;
+    text += csv_text(view.name);
+    for (int k = 0; k < 6; ++k) {
+      text += fmt::format(",{:.6g}", std::sqrt(covariance(k, k)) / (k < 3 ? 1.0 : kDegree));
+    }
+    for (int r = 0; r < 6; ++r) {
+      for (int c = r; c < 6; ++c) text += fmt::format(",{:.9g}", covariance(r, c));
+    }
+    text += '\n';
+  }
+  return text;
 }
 
 }  // namespace hybridfusion

@@ -10,6 +10,17 @@ Eigen::Map<const Eigen::Vector3d> centre_of(const double* pose) {
   return Eigen::Map<const Eigen::Vector3d>(pose + 4);
 }
 
+/// Of the antenna's place C + R l over a pose block; d(R exp(t) l)/dt = -R [l]x.
+void fill_antenna_jacobian(const Eigen::Matrix3d& world_from_camera,
+                           const Eigen::Vector3d& antenna_in_camera,
+                           const Eigen::Vector3d& weight,
+                           double* jacobian) {
+  Eigen::Map<PoseJacobian<3>> out(jacobian);
+  out.setZero();
+  out.leftCols<3>() = weight.asDiagonal();
+  out.middleCols<3>(3) = -(weight.asDiagonal() * world_from_camera * skew(antenna_in_camera));
+}
+
 }  // namespace
 
 bool PoseManifold::Plus(const double* x, const double* delta, double* x_plus_delta) const {
@@ -76,20 +87,22 @@ bool ReprojectionCost::Evaluate(double const* const* parameters,
 bool GnssPositionCost::Evaluate(double const* const* parameters,
                                 double* residuals,
                                 double** jacobians) const {
-  const double vertical_error_m = parameters[1][0] + parameters[1][1] * time_s_;
+  const Eigen::Matrix3d world_from_camera = rotation_of(parameters[0]).toRotationMatrix();
+  const double* errors = parameters[1];
+  const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
   const Eigen::Vector3d expected =
-      centre_of(parameters[0]) + Eigen::Vector3d(0, 0, vertical_error_m);
-  Eigen::Map<Eigen::Vector3d>{residuals} = (expected - position_).cwiseProduct(inverse_sigma_);
+      centre_of(parameters[0]) + world_from_camera * tag_.antenna_in_camera +
+      (errors[0] + errors[1] * tag_.time_s) * up - errors[2] * tag_.velocity_mps;
+  const Eigen::Vector3d inverse_sigma = tag_.sigma_m.cwiseInverse();
+  Eigen::Map<Eigen::Vector3d>{residuals} = (expected - tag_.position).cwiseProduct(inverse_sigma);
   if (jacobians == nullptr) return true;
   if (jacobians[0] != nullptr) {
-    Eigen::Map<PoseJacobian<3>> jacobian(jacobians[0]);
-    jacobian.setZero();
-    jacobian.leftCols<3>() = inverse_sigma_.asDiagonal();
+    fill_antenna_jacobian(world_from_camera, tag_.antenna_in_camera, inverse_sigma, jacobians[0]);
   }
   if (jacobians[1] != nullptr) {
-    Eigen::Map<Eigen::Matrix<double, 3, 2, Eigen::RowMajor>> jacobian(jacobians[1]);
-    jacobian.setZero();
-    jacobian.row(2) << inverse_sigma_.z(), inverse_sigma_.z() * time_s_;
+    Eigen::Map<Eigen::Matrix<double, 3, kNumTagErrors, Eigen::RowMajor>> jacobian(jacobians[1]);
+    jacobian << up, tag_.time_s * up, -tag_.velocity_mps;
+    jacobian = inverse_sigma.asDiagonal() * jacobian.eval();
   }
   return true;
 }
@@ -97,16 +110,32 @@ bool GnssPositionCost::Evaluate(double const* const* parameters,
 bool GnssDisplacementCost::Evaluate(double const* const* parameters,
                                     double* residuals,
                                     double** jacobians) const {
-  const Eigen::Vector3d by_vision = centre_of(parameters[1]) - centre_of(parameters[0]);
+  const Eigen::Matrix3d before = rotation_of(parameters[0]).toRotationMatrix();
+  const Eigen::Matrix3d after = rotation_of(parameters[1]).toRotationMatrix();
+  const Eigen::Vector3d by_vision = centre_of(parameters[1]) + after * antenna_in_camera_ -
+                                    centre_of(parameters[0]) - before * antenna_in_camera_;
   Eigen::Map<Eigen::Vector3d>{residuals} = (by_vision - displacement_).cwiseProduct(inverse_sigma_);
   if (jacobians == nullptr) return true;
-  for (int block = 0; block < 2; ++block) {
-    if (jacobians[block] == nullptr) continue;
-    Eigen::Map<PoseJacobian<3>> jacobian(jacobians[block]);
-    jacobian.setZero();
-    jacobian.leftCols<3>() = inverse_sigma_.asDiagonal();
-    if (block == 0) jacobian *= -1.0;
+  if (jacobians[0] != nullptr) {
+    fill_antenna_jacobian(before, antenna_in_camera_, -inverse_sigma_, jacobians[0]);
   }
+  if (jacobians[1] != nullptr) {
+    fill_antenna_jacobian(after, antenna_in_camera_, inverse_sigma_, jacobians[1]);
+  }
+  return true;
+}
+
+bool UpDirectionCost::Evaluate(double const* const* parameters,
+                               double* residuals,
+                               double** jacobians) const {
+  const Eigen::Matrix3d world_from_camera = rotation_of(parameters[0]).toRotationMatrix();
+  const Eigen::Vector3d up = world_from_camera * up_in_camera_;
+  Eigen::Map<Eigen::Vector2d>{residuals} = up.head<2>() / sigma_rad_;
+  if (jacobians == nullptr || jacobians[0] == nullptr) return true;
+  Eigen::Map<PoseJacobian<2>> jacobian(jacobians[0]);
+  jacobian.setZero();
+  // d(R exp(t) u)/dt = -R [u]x
+  jacobian.middleCols<3>(3) = (-world_from_camera * skew(up_in_camera_) / sigma_rad_).topRows<2>();
   return true;
 }
 

@@ -43,28 +43,41 @@ class ReprojectionCost final : public ceres::SizedCostFunction<2, kPoseSize, 3, 
   double inverse_sigma_;
 };
 
-/// Camera centre against GNSS position, divided by the deviations, less the flight's vertical error
-/// offset + rate * time. Blocks: pose, [offset, rate].
-class GnssPositionCost final : public ceres::SizedCostFunction<3, kPoseSize, 2> {
+/// Offset [m], rate [m/s] and lag [s] of the tags of one flight, as in FlightErrors.
+inline constexpr int kNumTagErrors = 3;
+
+/// A GNSS tag as a residual sees it.
+struct GnssTag {
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
+  Eigen::Vector3d sigma_m = Eigen::Vector3d::Ones();
+  double time_s = 0.0;                                          ///< Since the start of the flight.
+  Eigen::Vector3d velocity_mps = Eigen::Vector3d::Zero();       ///< Of the camera; zero: no lag.
+  Eigen::Vector3d antenna_in_camera = Eigen::Vector3d::Zero();  ///< Lever arm [m].
+};
+
+/// Where the antenna was against where the tag says, divided by the deviations:
+/// C + R l + up (offset + rate * time) - lag * velocity - tag. Blocks: pose, [offset, rate, lag].
+class GnssPositionCost final : public ceres::SizedCostFunction<3, kPoseSize, kNumTagErrors> {
  public:
-  GnssPositionCost(const Eigen::Vector3d& position, const Eigen::Vector3d& sigma_m, double time_s)
-      : position_(position), inverse_sigma_(sigma_m.cwiseInverse()), time_s_(time_s) {}
+  explicit GnssPositionCost(const GnssTag& tag) : tag_(tag) {}
   bool Evaluate(double const* const* parameters,
                 double* residuals,
                 double** jacobians) const override;
 
  private:
-  Eigen::Vector3d position_;
-  Eigen::Vector3d inverse_sigma_;
-  double time_s_;
+  GnssTag tag_;
 };
 
-/// HybridFusion Eq. (3): displacement by vision less displacement by GNSS between two frames,
-/// divided by the deviations. Blocks: pose before, pose after.
+/// HybridFusion Eq. (3): displacement of the antenna by vision less displacement by GNSS between
+/// two frames, divided by the deviations. Blocks: pose before, pose after.
 class GnssDisplacementCost final : public ceres::SizedCostFunction<3, kPoseSize, kPoseSize> {
  public:
-  GnssDisplacementCost(const Eigen::Vector3d& displacement, const Eigen::Vector3d& sigma_m)
-      : displacement_(displacement), inverse_sigma_(sigma_m.cwiseInverse()) {}
+  GnssDisplacementCost(const Eigen::Vector3d& displacement,
+                       const Eigen::Vector3d& sigma_m,
+                       const Eigen::Vector3d& antenna_in_camera)
+      : displacement_(displacement),
+        inverse_sigma_(sigma_m.cwiseInverse()),
+        antenna_in_camera_(antenna_in_camera) {}
   bool Evaluate(double const* const* parameters,
                 double* residuals,
                 double** jacobians) const override;
@@ -72,6 +85,21 @@ class GnssDisplacementCost final : public ceres::SizedCostFunction<3, kPoseSize,
  private:
   Eigen::Vector3d displacement_;
   Eigen::Vector3d inverse_sigma_;
+  Eigen::Vector3d antenna_in_camera_;
+};
+
+/// The horizontal part of what a camera knows as up, divided by the deviation. Block: pose.
+class UpDirectionCost final : public ceres::SizedCostFunction<2, kPoseSize> {
+ public:
+  UpDirectionCost(const Eigen::Vector3d& up_in_camera, double sigma_rad)
+      : up_in_camera_(up_in_camera), sigma_rad_(sigma_rad) {}
+  bool Evaluate(double const* const* parameters,
+                double* residuals,
+                double** jacobians) const override;
+
+ private:
+  Eigen::Vector3d up_in_camera_;
+  double sigma_rad_;
 };
 
 /// Independent normal priors on a block of `Size` numbers.

@@ -1,6 +1,8 @@
 #include "bundle_adjustment.hpp"
 
 #include "adjustment_costs.hpp"
+#include "adjustment_gnss.hpp"
+#include "schur_covariance.hpp"
 
 #include <algorithm>
 #include <array>
@@ -13,16 +15,13 @@ namespace hybridfusion {
 namespace {
 
 constexpr std::size_t kDenseViews = 150;
-// HybridFusion names no prior; consumer receivers drift by metres of height in a flight.
-constexpr double kDriftOffsetSigma_m = 20.0;
-constexpr double kDriftRateSigma_mps = 0.5 / 60.0;
 
 /// Blocks must not move in memory while the problem lives.
 struct Blocks {
   std::vector<std::array<double, kPoseSize>> poses;  // per view
   std::vector<IntrinsicsVector> intrinsics;          // per camera
   std::vector<Eigen::Vector3d> points;               // per requested track
-  std::vector<Eigen::Vector2d> drifts;               // per flight
+  std::vector<Eigen::Vector3d> control;              // per control target
 };
 
 /// Lets the caller's stop token end the solver.
@@ -48,6 +47,7 @@ class Adjuster {
     if (problem_.NumResidualBlocks() == 0) {
       return fail(ErrorCode::kInsufficient, "no triangulated point is seen by the views to adjust");
     }
+    add_control();
     add_intrinsics();
     if (request_.gnss != nullptr) add_gnss();
     hold_fixed();
@@ -61,6 +61,7 @@ class Adjuster {
       return fail(ErrorCode::kDegenerate, "bundle adjustment failed: " + summary.message);
     }
     store();
+    if (request_.covariance) store_covariance();
     return AdjustmentSummary{.iterations = static_cast<int>(summary.iterations.size()),
                              .converged = summary.termination_type == ceres::CONVERGENCE,
                              .initial_cost = summary.initial_cost,
@@ -113,6 +114,30 @@ class Adjuster {
     }
   }
 
+  /// Marked points are measured by eye, and held where they were surveyed.
+  void add_control() {
+    constexpr double kMarkSigma_px = 1.0;
+    for (const ControlTarget& target : request_.control) blocks_.control.push_back(target.position);
+    for (std::size_t k = 0; k < blocks_.control.size(); ++k) {
+      const ControlTarget& target = request_.control[k];
+      double* point = blocks_.control[k].data();
+      for (const ControlTarget::Mark& mark : target.marks) {
+        if (!in_problem_[mark.view]) continue;
+        const double sigma_px = kMarkSigma_px * model_.pixel_scale(mark.view);
+        // NOLINTNEXTLINE(cppcoreguidelines-owning-memory): the problem owns its costs
+        problem_.AddResidualBlock(new ReprojectionCost(mark.pixel, sigma_px),
+                                  loss_.get(),
+                                  blocks_.poses[mark.view].data(),
+                                  point,
+                                  intrinsics_of(mark.view));
+      }
+      if (!problem_.HasParameterBlock(point)) continue;
+      // NOLINTNEXTLINE(cppcoreguidelines-owning-memory): the problem owns its costs
+      auto* surveyed = new NormalPriorCost<3>(target.position, target.sigma_m);
+      problem_.AddResidualBlock(surveyed, nullptr, point);
+    }
+  }
+
   void add_intrinsics() {
     for (std::uint32_t camera = 0; camera < model_.cameras.size(); ++camera) {
       double* block = blocks_.intrinsics[camera].data();
@@ -138,58 +163,8 @@ class Adjuster {
   }
 
   void add_gnss() {
-    GnssTerms& gnss = *request_.gnss;
-    gnss_loss_ = std::make_unique<ceres::CauchyLoss>(gnss.loss_width);
-    int flights = 0;
-    for (const GnssObservation& o : gnss.observations) flights = std::max(flights, o.flight + 1);
-    gnss.drifts.resize(static_cast<std::size_t>(flights));
-    for (const VerticalDrift& d : gnss.drifts) blocks_.drifts.emplace_back(d.offset_m, d.rate_mps);
-    if (gnss.form == GnssForm::kAbsolute) {
-      add_positions(gnss);
-    } else {
-      add_displacements(gnss);
-    }
-  }
-
-  void add_positions(const GnssTerms& gnss) {
-    for (const GnssObservation& o : gnss.observations) {
-      if (!in_problem_[o.view]) continue;
-      double* drift = blocks_.drifts[static_cast<std::size_t>(o.flight)].data();
-      // NOLINTNEXTLINE(cppcoreguidelines-owning-memory): the problem owns its costs
-      problem_.AddResidualBlock(new GnssPositionCost(o.position, o.sigma_m, o.flight_time_s),
-                                gnss_loss_.get(),
-                                blocks_.poses[o.view].data(),
-                                drift);
-    }
-    for (Eigen::Vector2d& drift : blocks_.drifts) {
-      if (!problem_.HasParameterBlock(drift.data())) continue;
-      if (!gnss.estimate_drift) {
-        problem_.SetParameterBlockConstant(drift.data());
-        continue;
-      }
-      // NOLINTNEXTLINE(cppcoreguidelines-owning-memory): the problem owns its costs
-      problem_.AddResidualBlock(new NormalPriorCost<2>(Eigen::Vector2d::Zero(),
-                                                       {kDriftOffsetSigma_m, kDriftRateSigma_mps}),
-                                nullptr,
-                                drift.data());
-    }
-  }
-
-  void add_displacements(const GnssTerms& gnss) {
-    const GnssObservation* previous = nullptr;
-    for (const GnssObservation& o : gnss.observations) {
-      if (!in_problem_[o.view]) continue;
-      if (previous != nullptr && previous->flight == o.flight) {
-        const Eigen::Vector3d sigma =
-            (o.sigma_m.array().square() + previous->sigma_m.array().square()).sqrt();
-        // NOLINTNEXTLINE(cppcoreguidelines-owning-memory): the problem owns its costs
-        problem_.AddResidualBlock(new GnssDisplacementCost(o.position - previous->position, sigma),
-                                  gnss_loss_.get(),
-                                  blocks_.poses[previous->view].data(),
-                                  blocks_.poses[o.view].data());
-      }
-      previous = &o;
-    }
+    gnss_ = std::make_unique<GnssBlocks>(*request_.gnss);
+    gnss_->add_to(problem_, blocks_.poses, in_problem_);
   }
 
   void hold_fixed() {
@@ -198,7 +173,8 @@ class Adjuster {
       if (problem_.HasParameterBlock(pose)) problem_.SetManifold(pose, &pose_manifold_);
     }
     for (const std::uint32_t view : request_.fixed_views) hold(view);
-    const bool floating = request_.fixed_views.empty() && request_.gnss == nullptr;
+    const bool floating =
+        request_.fixed_views.empty() && request_.gnss == nullptr && request_.control.empty();
     if (floating && !request_.free_views.empty()) hold(request_.free_views.front());
   }
 
@@ -222,9 +198,12 @@ class Adjuster {
       if (problem_.HasParameterBlock(block)) ordering->AddElementToGroup(block, group);
     };
     for (Eigen::Vector3d& point : blocks_.points) add(point.data(), 0);
+    for (Eigen::Vector3d& point : blocks_.control) add(point.data(), 4);
     for (auto& pose : blocks_.poses) add(pose.data(), 1);
     for (IntrinsicsVector& intrinsics : blocks_.intrinsics) add(intrinsics.data(), 2);
-    for (Eigen::Vector2d& drift : blocks_.drifts) add(drift.data(), 3);
+    if (gnss_) {
+      for (Eigen::Vector3d& errors : gnss_->flights()) add(errors.data(), 3);
+    }
     options.linear_solver_ordering.reset(ordering);
     return options;
   }
@@ -241,9 +220,26 @@ class Adjuster {
     for (std::size_t t = 0; t < request_.tracks.size(); ++t) {
       if (model_.points[request_.tracks[t]]) model_.points[request_.tracks[t]] = blocks_.points[t];
     }
-    for (std::size_t flight = 0; flight < blocks_.drifts.size(); ++flight) {
-      request_.gnss->drifts[flight] = {.offset_m = blocks_.drifts[flight][0],
-                                       .rate_mps = blocks_.drifts[flight][1]};
+    if (gnss_) gnss_->store();
+  }
+
+  void store_covariance() {
+    constexpr std::size_t kMaxViews = 300;  // the dense inverse grows with the cube
+    model_.pose_covariance.assign(model_.world_from_view.size(), std::nullopt);
+    if (request_.free_views.size() > kMaxViews) return;
+    CovarianceBlocks blocks;
+    for (Eigen::Vector3d& point : blocks_.points) blocks.points.push_back(point.data());
+    for (Eigen::Vector3d& point : blocks_.control) blocks.points.push_back(point.data());
+    for (const std::uint32_t view : request_.free_views) {
+      blocks.poses.push_back(blocks_.poses[view].data());
+    }
+    for (IntrinsicsVector& camera : blocks_.intrinsics) blocks.others.push_back(camera.data());
+    if (gnss_) {
+      for (Eigen::Vector3d& errors : gnss_->flights()) blocks.others.push_back(errors.data());
+    }
+    const auto covariances = pose_covariances(problem_, blocks);
+    for (std::size_t k = 0; k < covariances.size(); ++k) {
+      model_.pose_covariance[request_.free_views[k]] = covariances[k];
     }
   }
 
@@ -259,7 +255,7 @@ class Adjuster {
   PoseManifold pose_manifold_;
   ceres::SubsetManifold radial_only_{kNumIntrinsics, {1, 2, 5, 6, 7}};
   std::unique_ptr<ceres::LossFunction> loss_;
-  std::unique_ptr<ceres::LossFunction> gnss_loss_;
+  std::unique_ptr<GnssBlocks> gnss_;
   ceres::Problem problem_;  // last: destroyed before what it points to
 };
 

@@ -4,6 +4,8 @@
 #include "incremental_mapper.hpp"
 #include "triangulation.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <numeric>
 
 #include <fmt/format.h>
@@ -30,6 +32,8 @@ Expected<Fragments> map_fragments(const SfmModel& empty,
                                   const RunContext& ctx) {
   Fragments result{.model = empty};
   std::vector<bool> usable(metadata.size(), true);
+  const bool placeable = std::ranges::any_of(
+      gnss.fixes, [](const PhotoFix& f) { return f.position_in_enu.has_value(); });
   for (int fragment = 0;; ++fragment) {
     SfmModel model = empty;
     model.cameras = result.model.cameras;
@@ -38,8 +42,10 @@ Expected<Fragments> map_fragments(const SfmModel& empty,
     if (fragment == 0) result.reasons = mapper.reasons();
     const std::vector<std::uint32_t> views = model.registered();
     if (static_cast<int>(views.size()) < options.mapping.min_model_photos) break;
-    const auto alignment =
-        align_to_enu(model, gnss, metadata, Random(ctx.seed, "vision/alignment"));
+    const Expected<EnuAlignment> alignment =
+        !placeable && fragment == 0
+            ? align_to_nothing(model, metadata)
+            : align_to_enu(model, gnss, metadata, Random(ctx.seed, "vision/alignment"));
     if (!alignment && fragment == 0) return std::unexpected(alignment.error());
     for (const std::uint32_t view : views) usable[view] = false;
     if (!alignment) {
@@ -51,14 +57,14 @@ Expected<Fragments> map_fragments(const SfmModel& empty,
       }
       continue;
     }
-    if (!alignment->warning.empty()) result.warnings.push_back(alignment->warning);
+    std::ranges::copy(alignment->warnings, std::back_inserter(result.warnings));
     if (fragment > 0) {
       result.warnings.push_back(
           fmt::format("{} photos from {} on share no matches with the rest: placed by GNSS only",
                       views.size(),
                       metadata[views.front()].name));
     }
-    result.altitude_trusted = result.altitude_trusted && alignment->altitude_trusted;
+    add_placement(*alignment, model, result.placement);
     transform_model(model, alignment->enu_from_world);
     merge(result.model, model);
     for (const std::uint32_t view : views) result.reasons[view].clear();

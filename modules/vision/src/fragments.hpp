@@ -1,5 +1,6 @@
 #pragma once
 
+#include "placement.hpp"
 #include "sfm_model.hpp"
 #include "tracks.hpp"
 
@@ -17,7 +18,7 @@ namespace hybridfusion {
 
 struct Fragments {
   SfmModel model = {};  ///< In the east-north-up frame.
-  bool altitude_trusted = true;
+  Placement placement = {};
   std::vector<std::string> reasons = {};  ///< Per view; empty text where it is registered.
   std::vector<std::string> warnings = {};
 };

@@ -146,6 +146,16 @@ void number_flights(GnssIngest& ingest, std::span<const PhotoMetadata> photos) {
   }
 }
 
+/// A wrong GPSAltitudeRef: the height of the result is off, its shape is not.
+void warn_below_sea(GnssIngest& ingest) {
+  constexpr double kDeadSea_m = -50.0;  // few flights are lower
+  if (ingest.origin.altitude_m > kDeadSea_m) return;
+  ingest.warnings.push_back(
+      fmt::format("the photos lie {:.0f} m below sea level: if the place does not, GPSAltitudeRef "
+                  "is wrong and so is the height of the result",
+                  -ingest.origin.altitude_m));
+}
+
 Expected<void> check_enough(const GnssIngest& ingest) {
   const auto used = std::ranges::count_if(
       ingest.fixes, [](const PhotoFix& fix) { return fix.position_in_enu.has_value(); });
@@ -197,6 +207,7 @@ Expected<GnssIngest> ingest_gnss(std::span<const PhotoMetadata> photos,
                            .altitude_m = altitude(photos[i]).value_or(ingest.origin.altitude_m)});
   }
   number_flights(ingest, photos);
+  warn_below_sea(ingest);
   reject_jumps(ingest, options);
   if (auto enough = check_enough(ingest); !enough) return std::unexpected(enough.error());
   for (std::size_t i = 0; i < photos.size(); ++i) {
@@ -207,6 +218,16 @@ Expected<GnssIngest> ingest_gnss(std::span<const PhotoMetadata> photos,
       ingest.warnings.push_back(photos[i].name + ": GNSS altitude is missing or implausible");
     }
   }
+  return ingest;
+}
+
+GnssIngest without_gnss(std::span<const PhotoMetadata> photos, const std::string& reason) {
+  GnssIngest ingest;
+  ingest.fixes.resize(photos.size());
+  ingest.by_time = order_by_time(photos);
+  number_flights(ingest, photos);
+  for (PhotoFix& fix : ingest.fixes) fix.rejection = reason;
+  ingest.warnings = {reason};
   return ingest;
 }
 

@@ -1,6 +1,7 @@
 #include "gravity_cue.hpp"
 
 #include "robust_statistics.hpp"
+#include "rotation.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -13,6 +14,9 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kGimbalSigma_rad = 2.0 * kDegree;
+constexpr double kMountSigma_rad = 1.0 * kDegree;     // constant in the camera frame
+constexpr double kReadingSigma_rad = 0.1 * kDegree;   // angles are written to a tenth of a degree
+constexpr double kAttitudeSigma_rad = 0.2 * kDegree;  // common to all photos: what flight bends
 constexpr double kLevelSigma_rad = 3.0 * kDegree;
 constexpr double kCommonAxisSigma_rad = 5.0 * kDegree;
 
@@ -34,6 +38,49 @@ Eigen::Vector3d robust_mean(const std::vector<Eigen::Vector3d>& directions) {
   return mean;
 }
 
+/// Up direction and the constant error of the camera mount, a small turn b in the camera frame:
+/// up = R_i (u_i + b x u_i). Photos of several headings tell both apart; with one heading, the
+/// prior of b passes its uncertainty on to up.
+GravityCue up_without_mount_error(const std::vector<Eigen::Matrix3d>& rotations,
+                                  const std::vector<Eigen::Vector3d>& ups_in_camera,
+                                  const Eigen::Vector3d& start) {
+  using Matrix6 = Eigen::Matrix<double, 6, 6>;
+  using Vector6 = Eigen::Matrix<double, 6, 1>;
+  Vector6 solution = Vector6::Zero();
+  solution.head<3>() = start;
+  Matrix6 normal;
+  double sigma = kGimbalSigma_rad;
+  for (int iteration = 0; iteration < 10; ++iteration) {
+    normal.setZero();
+    normal.bottomRightCorner<3, 3>().diagonal().setConstant(1.0 /
+                                                            (kMountSigma_rad * kMountSigma_rad));
+    // The length of up is 1: without this the six unknowns have a common null direction.
+    normal.topLeftCorner<3, 3>() += start * start.transpose() / (1e-3 * 1e-3);
+    Vector6 right = Vector6::Zero();
+    right.head<3>() = start / (1e-3 * 1e-3);
+    std::vector<double> gaps;
+    for (std::size_t i = 0; i < rotations.size(); ++i) {
+      // up - R_i (b x u_i) = R_i u_i, and b x u = -[u]x b.
+      Eigen::Matrix<double, 3, 6> jacobian;
+      jacobian << Eigen::Matrix3d::Identity(), rotations[i] * skew(ups_in_camera[i]);
+      const Eigen::Vector3d measured = rotations[i] * ups_in_camera[i];
+      const Eigen::Vector3d residual = jacobian * solution - measured;
+      gaps.insert(gaps.end(), {residual.x(), residual.y(), residual.z()});
+      const double weight = 1.0 / (sigma * sigma + residual.squaredNorm());
+      normal += weight * jacobian.transpose() * jacobian;
+      right += weight * jacobian.transpose() * measured;
+    }
+    solution = normal.ldlt().solve(right);
+    sigma = std::max(kReadingSigma_rad, robust_sigma_about_zero(std::move(gaps)));
+  }
+  const Matrix6 covariance = normal.inverse();
+  const double formal = std::sqrt(covariance.topLeftCorner<2, 2>().diagonal().maxCoeff());
+  return {.up_in_world = solution.head<3>().normalized(),
+          .sigma_rad = std::hypot(kAttitudeSigma_rad, formal),
+          .measured = true,
+          .source = "gimbal angles"};
+}
+
 std::vector<Eigen::Vector3d> axes(const SfmModel& model, const Eigen::Vector3d& axis_in_camera) {
   std::vector<Eigen::Vector3d> result;
   for (const auto& pose : model.world_from_view) {
@@ -46,15 +93,18 @@ std::vector<Eigen::Vector3d> axes(const SfmModel& model, const Eigen::Vector3d& 
 
 std::optional<GravityCue> gravity_from_gimbals(const SfmModel& model,
                                                std::span<const PhotoMetadata> photos) {
+  std::vector<Eigen::Matrix3d> rotations;
+  std::vector<Eigen::Vector3d> ups_in_camera;
   std::vector<Eigen::Vector3d> ups;
   for (std::size_t view = 0; view < photos.size(); ++view) {
     if (!model.world_from_view[view] || !photos[view].gimbal) continue;
     const double pitch = photos[view].gimbal->pitch_deg * kDegree;
     const double roll = photos[view].gimbal->roll_deg * kDegree;
     // Camera x right, y down, z forward; roll turns the camera clockwise about its axis.
-    const Eigen::Vector3d up_in_camera(
+    ups_in_camera.emplace_back(
         -std::sin(roll) * std::cos(pitch), -std::cos(roll) * std::cos(pitch), std::sin(pitch));
-    ups.push_back(model.world_from_view[view]->rotation * up_in_camera);
+    rotations.push_back(model.world_from_view[view]->rotation.toRotationMatrix());
+    ups.push_back(rotations.back() * ups_in_camera.back());
   }
   // A few mounts among many photos say nothing about the rest's firmware.
   if (ups.size() < 3 || 2 * ups.size() < model.num_registered()) return std::nullopt;
@@ -63,10 +113,7 @@ std::optional<GravityCue> gravity_from_gimbals(const SfmModel& model,
   for (const Eigen::Vector3d& u : ups) gaps.push_back((u - up).norm());
   constexpr double kMaxSpread_rad = 10.0 * kDegree;  // else the angles are not those of the photos
   if (median(gaps) > kMaxSpread_rad) return std::nullopt;
-  return GravityCue{.up_in_world = up,
-                    .sigma_rad = kGimbalSigma_rad,
-                    .measured = true,
-                    .source = "gimbal angles"};
+  return up_without_mount_error(rotations, ups_in_camera, up);
 }
 
 std::optional<GravityCue> gravity_from_level_rows(const SfmModel& model) {

@@ -1,5 +1,6 @@
 #include "model_export.hpp"
 
+#include "georeference.hpp"
 #include "robust_statistics.hpp"
 
 #include <algorithm>
@@ -51,60 +52,12 @@ std::vector<double> export_points(const SfmModel& model,
   return errors;
 }
 
-void fill_gnss_quality(const SfmModel& model, const GnssTerms& terms, ReconstructionQuality& out) {
-  const std::vector<Eigen::Vector3d> residuals = gnss_residuals(model, terms);
-  if (residuals.empty()) return;
-  std::vector<double> horizontal;
-  std::vector<double> vertical;
-  std::vector<double> sigmas;
-  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  const auto count = static_cast<double>(residuals.size());
-  for (const GnssObservation& o : terms.observations) mean += o.position / count;
-  double spread2 = 0.0;
-  for (std::size_t i = 0; i < residuals.size(); ++i) {
-    horizontal.insert(horizontal.end(), {residuals[i].x(), residuals[i].y()});
-    sigmas.push_back(terms.observations[i].sigma_m.x());
-    spread2 += (terms.observations[i].position - mean).head<2>().squaredNorm();
-    out.gnss_horizontal_rms_m += residuals[i].head<2>().squaredNorm() / count;
-    if (terms.observations[i].sigma_m.z() < 1e3) vertical.push_back(residuals[i].z());
-  }
-  for (const double v : vertical) {
-    out.gnss_vertical_rms_m += v * v / static_cast<double>(vertical.size());
-  }
-  out.gnss_horizontal_rms_m = std::sqrt(out.gnss_horizontal_rms_m);
-  out.gnss_vertical_rms_m = std::sqrt(out.gnss_vertical_rms_m);
-  out.estimated_sigma_horizontal_m = robust_sigma_about_zero(std::move(horizontal));
-  if (!vertical.empty()) {
-    out.estimated_sigma_vertical_m = robust_sigma_about_zero(std::move(vertical));
-  }
-  // Slope of a regression of GNSS on vision positions, errors taken as independent.
-  if (spread2 > 0.0) out.scale_sigma = median(std::move(sigmas)) / std::sqrt(spread2);
-}
-
-void add_quality_warnings(const Reconstruction& result,
-                          const GnssIngest& stated,
-                          std::vector<std::string>& warnings) {
+void add_quality_warnings(const Reconstruction& result, std::vector<std::string>& warnings) {
   const auto registered = std::ranges::count_if(
       result.views, [](const View& view) { return view.enu_from_camera.has_value(); });
   if (static_cast<std::size_t>(registered) < result.views.size()) {
     warnings.push_back(
         fmt::format("{} of {} photos are registered", registered, result.views.size()));
-  }
-  // The adjustment raised the deviations where the residuals were larger than stated.
-  Eigen::Vector3d excess = Eigen::Vector3d::Ones();
-  for (std::size_t v = 0; v < result.views.size(); ++v) {
-    if (!result.views[v].enu_from_camera || !result.views[v].gnss_sigma_m) continue;
-    Eigen::Vector3d ratio = result.views[v].gnss_sigma_m->cwiseQuotient(stated.fixes[v].sigma_m);
-    if (!stated.fixes[v].has_altitude) ratio.z() = 1.0;
-    excess = excess.cwiseMax(ratio);
-  }
-  constexpr double kMaxExcess = 3.0;
-  if (excess.maxCoeff() > kMaxExcess) {
-    warnings.push_back(
-        fmt::format("GNSS residuals are {:.1f} (horizontal) and {:.1f} (vertical) times the stated "
-                    "deviations: place, scale and tilt of the model are as uncertain",
-                    excess.head<2>().maxCoeff(),
-                    excess.z()));
   }
   const double change = result.cameras.front().focal_px / result.quality.initial_focal_px - 1.0;
   constexpr double kMaxFocalChange = 0.1;
@@ -131,6 +84,7 @@ Reconstruction export_model(const Fragments& mapped,
     view.name = metadata[v].name;
     view.camera = model.camera_of_view[v];
     view.enu_from_camera = model.world_from_view[v];
+    if (v < model.pose_covariance.size()) view.pose_covariance = model.pose_covariance[v];
     view.gnss_in_enu = gnss.fixes[v].position_in_enu;
     if (view.gnss_in_enu) view.gnss_sigma_m = gnss.fixes[v].sigma_m;
     if (view.enu_from_camera) continue;
@@ -147,10 +101,13 @@ Reconstruction export_model(const Fragments& mapped,
     result.quality.median_reprojection_px = median(std::move(errors));
   }
   result.quality.initial_focal_px = model.priors.front().intrinsics.focal_px;
-  fill_gnss_quality(model, terms, result.quality);
+  assess_georeference(model, terms, gnss, mapped.placement, result.quality);
   result.warnings = gnss.warnings;
   result.warnings.insert(result.warnings.end(), mapped.warnings.begin(), mapped.warnings.end());
-  add_quality_warnings(result, gnss, result.warnings);
+  for (const std::string& reason : result.quality.georeference_reasons) {
+    result.warnings.push_back("georeference: " + reason);
+  }
+  add_quality_warnings(result, result.warnings);
   return result;
 }
 

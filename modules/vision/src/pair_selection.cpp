@@ -9,8 +9,7 @@
 namespace hybridfusion {
 namespace {
 
-constexpr std::size_t kSmallSet = 60;
-constexpr int kUnplacedTemporalFactor = 5;
+constexpr int kUnplacedTemporalFactor = 7;  // some 20 photos each way
 
 using Places = std::vector<std::optional<Eigen::Vector2d>>;
 
@@ -81,7 +80,7 @@ std::vector<PhotoPair> select_pairs(std::span<const PhotoMetadata> photos,
     for (std::size_t m = k - std::min(k, reach); m < k && !placed; ++m) {
       insert(pairs, i, gnss.by_time[m]);
     }
-    if (!placed && n <= kSmallSet) {
+    if (!placed && n <= kAllPairsPhotos) {
       for (std::size_t j = 0; j < n; ++j) insert(pairs, i, j);
     }
   }

@@ -10,6 +10,9 @@
 
 namespace hybridfusion {
 
+/// Up to this many photos, those without a position are matched with all others.
+inline constexpr std::size_t kAllPairsPhotos = 60;
+
 /// first < second, both photo indices.
 struct PhotoPair {
   std::uint32_t first = 0;

@@ -14,6 +14,14 @@ namespace hybridfusion {
   return *middle;
 }
 
+/// The value that a share of the others lies below. @pre not empty, 0 <= share < 1
+[[nodiscard]] inline double upper_quantile(std::vector<double> values, double share) {
+  const auto at =
+      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size()));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
 /// Standard deviation of a normal distribution with the same median absolute deviation.
 [[nodiscard]] inline double robust_sigma(std::vector<double> values) {
   const double centre = median(values);

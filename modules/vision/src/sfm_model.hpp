@@ -33,6 +33,8 @@ struct SfmModel {
   std::vector<CameraIntrinsics> cameras = {};  ///< Per camera, as estimated.
   std::vector<std::uint32_t> camera_of_view = {};
   std::vector<std::optional<Rigid3>> world_from_view = {};  ///< Empty: not registered.
+  /// Per view, of the last whole adjustment, as View::pose_covariance; may be empty.
+  std::vector<std::optional<Eigen::Matrix<double, 6, 6>>> pose_covariance = {};
   std::vector<Track> tracks = {};
   std::vector<std::optional<Eigen::Vector3d>> points = {};       ///< Per track.
   std::vector<std::vector<TrackReference>> tracks_of_view = {};  ///< Per view.

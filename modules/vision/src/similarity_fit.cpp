@@ -1,7 +1,6 @@
 #include "similarity_fit.hpp"
 
 #include "robust_statistics.hpp"
-#include "rotation.hpp"
 
 #include <algorithm>
 #include <array>
@@ -16,8 +15,6 @@ namespace hybridfusion {
 namespace {
 
 constexpr int kSamples = 500;
-constexpr int kRefinements = 30;
-constexpr double kCauchyWidth = 2.0;
 
 Eigen::Vector3d weighted_residual(const PositionPair& pair, const Sim3& enu_from_world) {
   return (enu_from_world * pair.in_world - pair.in_enu).cwiseQuotient(pair.sigma_m);
@@ -128,63 +125,6 @@ Expected<Sim3> least_median_upright_similarity(std::span<const PositionPair> pai
   }
   best->translation.z() += median(std::move(heights));
   return best;
-}
-
-SimilarityFit refine_similarity(std::span<const PositionPair> pairs,
-                                const Sim3& start,
-                                const std::optional<UpPrior>& up) {
-  using Matrix7 = Eigen::Matrix<double, 7, 7>;
-  using Vector7 = Eigen::Matrix<double, 7, 1>;
-  SimilarityFit fit{.enu_from_world = start};
-  Sim3& sim = fit.enu_from_world;
-  Matrix7 gnss_normal = Matrix7::Zero();
-  for (int iteration = 0; iteration < kRefinements; ++iteration) {
-    std::vector<double> norms;
-    for (const PositionPair& pair : pairs) norms.push_back(weighted_residual(pair, sim).norm());
-    // Stated sigmas may be optimistic: the loss is at least as wide as what is found.
-    const double width = kCauchyWidth * std::max(1.0, median(norms));
-    gnss_normal.setZero();
-    Vector7 gradient = Vector7::Zero();
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-      const Eigen::Vector3d turned = sim.rotation * pairs[i].in_world;
-      Eigen::Matrix<double, 3, 7> jacobian;  // translation, rotation (left), log scale
-      jacobian << Eigen::Matrix3d::Identity(), -skew(sim.scale * turned), sim.scale * turned;
-      jacobian = pairs[i].sigma_m.cwiseInverse().asDiagonal() * jacobian;
-      const double weight = 1.0 / (1.0 + std::pow(norms[i] / width, 2.0));
-      gnss_normal += weight * jacobian.transpose() * jacobian;
-      gradient += weight * jacobian.transpose() * weighted_residual(pairs[i], sim);
-    }
-    Matrix7 normal = gnss_normal;
-    if (up) {
-      // Horizontal components of the up direction; d (R u)/d turn = -[R u]x.
-      const Eigen::Vector3d turned = sim.rotation * up->up_in_world;
-      Eigen::Matrix<double, 3, 7> jacobian = Eigen::Matrix<double, 3, 7>::Zero();
-      jacobian.middleCols<3>(3) = -skew(turned) / up->sigma_rad;
-      const Eigen::Vector3d residual = (turned - Eigen::Vector3d::UnitZ()) / up->sigma_rad;
-      normal += jacobian.transpose() * jacobian;
-      gradient += jacobian.transpose() * residual;
-    }
-    const Vector7 step = -normal.ldlt().solve(gradient);
-    if (!step.allFinite()) break;
-    const Eigen::Quaterniond turn = rotation_exp(step.segment<3>(3));
-    sim.rotation = (turn * sim.rotation).normalized();
-    sim.translation += step.head<3>();
-    sim.scale *= std::exp(step[6]);
-    if (step.norm() < 1e-9) break;
-  }
-  const Matrix7 covariance =
-      (gnss_normal + 1e-12 * gnss_normal.trace() * Matrix7::Identity()).inverse();
-  fit.tilt_sigma_rad = std::sqrt(std::max(covariance(3, 3), covariance(4, 4)));
-  std::vector<double> horizontal;
-  std::vector<double> vertical;
-  for (const PositionPair& pair : pairs) {
-    const Eigen::Vector3d r = weighted_residual(pair, sim);
-    horizontal.insert(horizontal.end(), {r.x(), r.y()});
-    vertical.push_back(r.z());
-  }
-  fit.horizontal_ratio = robust_sigma_about_zero(std::move(horizontal));
-  fit.vertical_ratio = robust_sigma_about_zero(std::move(vertical));
-  return fit;
 }
 
 }  // namespace hybridfusion

@@ -88,20 +88,85 @@ TEST(AdjustmentCosts, PointBehindTheCameraIsRefused) {
   EXPECT_FALSE(cost.Evaluate(blocks.data(), residual.data(), nullptr));
 }
 
-TEST(AdjustmentCosts, GnssPositionIsTheDifferenceOverSigmaWithTheDriftAdded) {
-  const GnssPositionCost cost({1.0, -4.0, 50.0}, {2.0, 2.0, 5.0}, 10.0);
+TEST(AdjustmentCosts, TagErrorJacobianEqualsDifferences) {
+  const GnssPositionCost cost({.position = {1.0, -4.0, 50.0},
+                               .sigma_m = {2.0, 2.0, 5.0},
+                               .time_s = 10.0,
+                               .velocity_mps = {4.0, -2.0, 0.5}});
   Pose pose = some_pose();
-  Eigen::Vector2d drift(1.0, 0.1);
-  const std::vector<double*> blocks{pose.data(), drift.data()};
+  Eigen::Vector3d errors(1.0, 0.1, 0.5);
+  const std::array<double*, 2> blocks{pose.data(), errors.data()};
+  Eigen::Matrix<double, 3, kNumTagErrors, Eigen::RowMajor> analytic;
+  std::array<double*, 2> jacobians{nullptr, analytic.data()};
+  Eigen::Vector3d residual;
+  ASSERT_TRUE(cost.Evaluate(blocks.data(), residual.data(), jacobians.data()));
+  constexpr double kStep = 1e-5;
+  for (int k = 0; k < kNumTagErrors; ++k) {
+    Eigen::Vector3d plus;
+    Eigen::Vector3d minus;
+    errors[k] += kStep;
+    ASSERT_TRUE(cost.Evaluate(blocks.data(), plus.data(), nullptr));
+    errors[k] -= 2.0 * kStep;
+    ASSERT_TRUE(cost.Evaluate(blocks.data(), minus.data(), nullptr));
+    errors[k] += kStep;
+    EXPECT_LT(((plus - minus) / (2.0 * kStep) - analytic.col(k)).norm(), 1e-6) << k;
+  }
+}
+
+TEST(AdjustmentCosts, GnssPositionIsTheDifferenceOverSigmaWithTheTagErrorsAdded) {
+  const GnssPositionCost cost({.position = {1.0, -4.0, 50.0},
+                               .sigma_m = {2.0, 2.0, 5.0},
+                               .time_s = 10.0,
+                               .velocity_mps = {4.0, -2.0, 0.0}});
+  Pose pose = some_pose();
+  Eigen::Vector3d errors(1.0, 0.1, 0.5);
+  const std::vector<double*> blocks{pose.data(), errors.data()};
   Eigen::Vector3d residual;
   ASSERT_TRUE(cost.Evaluate(blocks.data(), residual.data(), nullptr));
-  // (3 - 1) / 2, (-4 + 4) / 2, (60 + 1 + 0.1 * 10 - 50) / 5
-  EXPECT_LT((residual - Eigen::Vector3d(1.0, 0.0, 2.4)).norm(), 1e-12);
+  // (3 - 0.5 * 4 - 1) / 2, (-4 + 0.5 * 2 + 4) / 2, (60 + 1 + 0.1 * 10 - 50) / 5
+  EXPECT_LT((residual - Eigen::Vector3d(0.0, 0.5, 2.4)).norm(), 1e-12);
+  expect_pose_jacobian(cost, blocks, 0, 1e-6);
+}
+
+TEST(AdjustmentCosts, AntennaBesideTheCameraTurnsWithIt) {
+  const Eigen::Vector3d lever(0.3, -0.1, -0.4);
+  Pose pose = some_pose();
+  const Eigen::Map<const Eigen::Quaterniond> rotation(pose.data());
+  const Eigen::Vector3d antenna = Eigen::Vector3d(3, -4, 60) + rotation * lever;
+  const GnssPositionCost position(
+      {.position = antenna, .sigma_m = {0.02, 0.02, 0.04}, .antenna_in_camera = lever});
+  Eigen::Vector3d errors = Eigen::Vector3d::Zero();
+  const std::vector<double*> blocks{pose.data(), errors.data()};
+  Eigen::Vector3d residual;
+  ASSERT_TRUE(position.Evaluate(blocks.data(), residual.data(), nullptr));
+  EXPECT_LT(residual.norm(), 1e-9);
+  expect_pose_jacobian(position, blocks, 0, 1e-5);
+
+  const GnssDisplacementCost displacement({10.0, 0.0, 0.0}, {0.5, 0.5, 1.0}, lever);
+  Pose after = some_pose();
+  after[4] += 10.5;
+  const Eigen::Matrix<double, 6, 1> turn{0.0, 0.0, 0.0, 0.2, -0.1, 0.3};
+  Pose turned;
+  PoseManifold().Plus(after.data(), turn.data(), turned.data());
+  const std::vector<double*> poses{pose.data(), turned.data()};
+  expect_pose_jacobian(displacement, poses, 0, 1e-6);
+  expect_pose_jacobian(displacement, poses, 1, 1e-6);
+}
+
+TEST(AdjustmentCosts, UpDirectionIsItsHorizontalPartOverSigma) {
+  Pose pose = some_pose();
+  const Eigen::Map<const Eigen::Quaterniond> rotation(pose.data());
+  const Eigen::Vector3d up = Eigen::Vector3d(0.01, -0.02, 1.0).normalized();
+  const UpDirectionCost cost(rotation.conjugate() * up, 0.01);
+  const std::vector<double*> blocks{pose.data()};
+  Eigen::Vector2d residual;
+  ASSERT_TRUE(cost.Evaluate(blocks.data(), residual.data(), nullptr));
+  EXPECT_LT((residual - up.head<2>() / 0.01).norm(), 1e-9);
   expect_pose_jacobian(cost, blocks, 0, 1e-6);
 }
 
 TEST(AdjustmentCosts, GnssDisplacementIsBlindToACommonOffset) {
-  const GnssDisplacementCost cost({10.0, 0.0, 0.0}, {0.5, 0.5, 1.0});
+  const GnssDisplacementCost cost({10.0, 0.0, 0.0}, {0.5, 0.5, 1.0}, Eigen::Vector3d::Zero());
   Pose before = some_pose();
   Pose after = some_pose();
   after[4] += 10.5;

@@ -73,6 +73,36 @@ TEST(BundleAdjustment, RecoversPosesAndCalibrationFromNoisyPixels) {
   EXPECT_NEAR(model.cameras[0].principal_point_px.x(), 803.0, 1.0);
 }
 
+TEST(BundleAdjustment, PosesScatterAsTheirCovarianceSays) {
+  double sum = 0.0;
+  double count = 0.0;
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    const auto flight = testing::make_flight({.num_points = 150, .seed = seed});
+    SfmModel model = disturbed(flight.truth, 0.1, 0.001);
+    GnssTerms gnss = exact_gnss(flight.truth, 0.05);
+    Random random(seed, "test/gnss");
+    for (auto& o : gnss.observations) {
+      o.position += 0.05 * Eigen::Vector3d(random.normal(), random.normal(), random.normal());
+    }
+    AdjustmentRequest request = whole(model);
+    request.gnss = &gnss;
+    request.covariance = true;
+    ASSERT_TRUE(adjust(model, request, {}, {}));
+    ASSERT_EQ(model.pose_covariance.size(), model.world_from_view.size());
+    for (const std::uint32_t view : model.registered()) {
+      ASSERT_TRUE(model.pose_covariance[view]);
+      const Eigen::Matrix3d covariance = model.pose_covariance[view]->topLeftCorner<3, 3>();
+      const Eigen::Vector3d error = model.world_from_view[view]->translation -
+                                    flight.truth.world_from_view[view]->translation;
+      sum += error.dot(covariance.inverse() * error);
+      count += 3.0;
+    }
+  }
+  // Chi-square per degree of freedom; views of one block are correlated, so that it scatters.
+  EXPECT_GT(sum / count, 0.4);
+  EXPECT_LT(sum / count, 2.5);
+}
+
 TEST(BundleAdjustment, FixedViewsDoNotMove) {
   const auto flight = testing::make_flight();
   SfmModel model = disturbed(flight.truth, 0.1, 0.001);
@@ -109,7 +139,7 @@ TEST(BundleAdjustment, DriftOfTheAltitudesIsFoundWhereItIsAllowed) {
   AdjustmentRequest request = whole(model);
   request.gnss = &gnss;
   ASSERT_TRUE(adjust(model, request, {}, {}));
-  EXPECT_NEAR(gnss.drifts[0].rate_mps, 0.02, 0.01);
+  EXPECT_NEAR(gnss.flights[0].rate_mps, 0.02, 0.01);
 }
 
 TEST(BundleAdjustment, DisplacementFormKeepsScaleAndForgetsTheOffset) {
@@ -154,7 +184,7 @@ TEST(GnssResiduals, AreVisionLessGnssPlusTheModelledDrift) {
   const auto flight = testing::make_flight();
   GnssTerms gnss = exact_gnss(flight.truth, 1.0);
   gnss.observations[1].position += Eigen::Vector3d(1.0, 0.0, 2.0);
-  gnss.drifts = {{.offset_m = 0.5, .rate_mps = 0.1}};
+  gnss.flights = {{.offset_m = 0.5, .rate_mps = 0.1}};
   const auto residuals = gnss_residuals(flight.truth, gnss);
   EXPECT_LT((residuals[1] - Eigen::Vector3d(-1.0, 0.0, -2.0 + 0.5 + 0.25)).norm(), 1e-12);
 }

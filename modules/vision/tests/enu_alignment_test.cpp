@@ -67,7 +67,7 @@ TEST(AlignToEnu, DriftingAltitudesDoNotTiltTheModel) {
   const auto alignment = align_to_enu(c.model, c.gnss, c.photos, Random(1, "test"));
   ASSERT_TRUE(alignment);
   EXPECT_FALSE(alignment->altitude_trusted);
-  EXPECT_FALSE(alignment->warning.empty());
+  EXPECT_FALSE(alignment->warnings.empty());
   EXPECT_LT(tilt_deg(c, alignment->enu_from_world), 3.0);
   EXPECT_NEAR(alignment->enu_from_world.scale / c.enu_from_world.scale, 1.0, 0.05);
 }

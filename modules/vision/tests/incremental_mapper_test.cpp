@@ -1,44 +1,17 @@
 #include "incremental_mapper.hpp"
 
 #include "enu_alignment.hpp"
-#include "relative_pose.hpp"
 #include "synthetic_flight.hpp"
+#include "synthetic_matches.hpp"
 
 #include <hybridfusion/core/sim3.hpp>
 
 #include <cmath>
-#include <map>
 
 #include <gtest/gtest.h>
 
 namespace hybridfusion {
 namespace {
-
-/// What verification would hand over: pairs with many common points.
-std::vector<VerifiedPair> verified_pairs(const SfmModel& truth) {
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<Match>> common;
-  for (const Track& track : truth.tracks) {
-    for (std::size_t i = 0; i < track.size(); ++i) {
-      for (std::size_t j = i + 1; j < track.size(); ++j) {
-        common[{track[i].view, track[j].view}].push_back({track[i].feature, track[j].feature});
-      }
-    }
-  }
-  std::vector<VerifiedPair> pairs;
-  for (const auto& [views, matches] : common) {
-    if (matches.size() < 60) continue;
-    Rigid3 second_from_first =
-        truth.world_from_view[views.second]->inverse() * *truth.world_from_view[views.first];
-    const double base_m = second_from_first.translation.norm();
-    second_from_first.translation.normalize();
-    pairs.push_back({.views = {views.first, views.second},
-                     .matches = matches,
-                     .second_from_first = second_from_first,
-                     .median_angle_rad = base_m / 60.0,
-                     .homography_share = 0.6});
-  }
-  return pairs;
-}
 
 struct MappingCase {
   testing::SyntheticFlight flight;
@@ -48,7 +21,7 @@ struct MappingCase {
   ReconstructionOptions options;
 
   explicit MappingCase(const testing::FlightOptions& flight_options)
-      : flight(testing::make_flight(flight_options)), pairs(verified_pairs(flight.truth)) {
+      : flight(testing::make_flight(flight_options)), pairs(testing::verified_pairs(flight.truth)) {
     model = flight.truth;
     model.cameras[0] = model.priors[0].intrinsics;
     for (auto& pose : model.world_from_view) pose.reset();

@@ -24,6 +24,7 @@ struct FlightOptions {
   int num_points = 500;
   double spacing_m = 14.0;
   double tilt_rad = 0.15;  ///< Views lean alternately: nadir alone leaves the focal length free.
+  double jitter_m = 1.0;   ///< Deviation of the views from the grid, per axis.
   double noise_px = 0.3;
   std::uint64_t seed = 1;
 };
@@ -61,7 +62,8 @@ inline SyntheticFlight make_flight(const FlightOptions& options = {}) {
       const int column = row % 2 == 0 ? k : options.columns - 1 - k;
       const double heading = row % 2 == 0 ? 0.0 : std::numbers::pi;
       const double tilt = (row + k) % 2 == 0 ? options.tilt_rad : -options.tilt_rad;
-      const Eigen::Vector3d jitter(random.normal(), random.normal(), random.normal());
+      const Eigen::Vector3d jitter =
+          options.jitter_m * Eigen::Vector3d(random.normal(), random.normal(), random.normal());
       model.world_from_view.push_back(Rigid3{
           .rotation = looking_down(heading + 0.02 * random.normal(), tilt),
           .translation =

@@ -53,6 +53,22 @@ void add_photo_lights(const ReportData& data, std::vector<Light>& lights) {
   }
 }
 
+/// Reprojection errors never show a wrong scale or tilt: the stage judged them by the positions.
+void add_georeference_light(const ReportData& data, std::vector<Light>& lights) {
+  const Json georeference = data.reconstruct.value("georeference", Json::object());
+  const std::string verdict = georeference.value("verdict", "");
+  if (verdict.empty()) return;
+  lights.push_back({"scale and tilt of the photo model",
+                    verdict == "good"      ? "green"
+                    : verdict == "limited" ? "amber"
+                                           : "red",
+                    fmt::format("{}: scale ± {:.2f} %, tilt ± {:.2f}°",
+                                verdict,
+                                100.0 * data.reconstruct.value("scale_sigma", 0.0),
+                                data.reconstruct.value("tilt_sigma_deg", 0.0)),
+                    "0.5 % and 0.5°, 1 % and 1°"});
+}
+
 void add_lidar_lights(const ReportData& data, std::vector<Light>& lights) {
   const Json& result = data.map;
   const double scans = result.value("num_scans", 0.0);
@@ -93,7 +109,10 @@ void add_registration_light(const ReportData& data, std::vector<Light>& lights) 
 
 std::vector<Light> traffic_lights(const ReportData& data) {
   std::vector<Light> lights;
-  if (data.reconstruct.is_object()) add_photo_lights(data, lights);
+  if (data.reconstruct.is_object()) {
+    add_photo_lights(data, lights);
+    add_georeference_light(data, lights);
+  }
   if (data.map.is_object()) add_lidar_lights(data, lights);
   add_registration_light(data, lights);
   return lights;

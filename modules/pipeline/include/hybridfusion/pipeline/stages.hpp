@@ -32,7 +32,7 @@ inline constexpr std::array<std::string_view, 4> kStages = {
 struct StageOutcome {
   std::string stage = {};
   bool up_to_date = false;  ///< Nothing had changed; the former result is repeated.
-  bool refused = false;     ///< The stage ran but has no reliable result (registration only).
+  bool refused = false;     ///< The stage ran but has no reliable result.
   StageCost cost = {};
   std::string result_json = "{}";
   std::vector<std::string> summary = {};
@@ -48,14 +48,23 @@ struct Project {
   std::vector<std::string> forced = {};  ///< Stages to run even when up to date.
 };
 
-/// Module A: photos -> COLMAP model, positions.csv, origin.json, dense.ply.
-/// @param poses  Folder of a COLMAP text model whose cameras and poses are taken as they are
-///               instead of being reconstructed.
-[[nodiscard]] Expected<StageOutcome> reconstruct_stage(
-    Project& project,
-    const std::filesystem::path& images,
-    const RunContext& ctx,
-    const std::optional<std::filesystem::path>& poses = {});
+struct PhotoInputs {
+  std::filesystem::path images = {};  ///< Folder of photos.
+  /// Folder of a COLMAP text model whose cameras and poses are taken as they are instead of being
+  /// reconstructed.
+  std::optional<std::filesystem::path> poses = {};
+  /// Positions that replace those in the photos; absent: geo.txt among the photos, if there.
+  std::optional<std::filesystem::path> geo_tags = {};
+  /// Ground control points; absent: gcp_list.txt among the photos, if there.
+  std::optional<std::filesystem::path> control = {};
+};
+
+/// Module A: photos -> COLMAP model, positions.csv, origin.json, dense.ply. Without positions and
+/// control the outcome is refused: the files are there, in an arbitrary frame that frame.json
+/// (instead of origin.json) tells of.
+[[nodiscard]] Expected<StageOutcome> reconstruct_stage(Project& project,
+                                                       const PhotoInputs& inputs,
+                                                       const RunContext& ctx);
 
 /// Module B: recording -> trajectory.tum, map.ply, quality.csv, gnss.json.
 /// @param sensors  Absent: sensors.yaml beside the recording when it exists.

@@ -39,4 +39,9 @@ struct GnssIngest {
 [[nodiscard]] Expected<GnssIngest> ingest_gnss(std::span<const PhotoMetadata> photos,
                                                const GnssOptions& options);
 
+/// For photos whose positions are of no use: no fixes, order of time and flights only.
+/// @param reason  Why; becomes the rejection of every fix and a warning.
+[[nodiscard]] GnssIngest without_gnss(std::span<const PhotoMetadata> photos,
+                                      const std::string& reason);
+
 }  // namespace hybridfusion

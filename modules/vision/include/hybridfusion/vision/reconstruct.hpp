@@ -14,12 +14,15 @@ namespace hybridfusion {
 /// features, matching, incremental structure from motion, similarity to the east-north-up frame,
 /// bundle adjustment of reprojection and GNSS errors. The result does not depend on the number of
 /// threads. Photos that could not be registered carry a reason.
-/// @param photos  At least 3, with GNSS; pixels are loaded once, a few photos at a time.
-/// @returns kInsufficient without enough usable positions or matching photos, kDegenerate when the
-///          GNSS track does not determine scale and orientation, kCancelled, or the error of a
-///          photo when none can be loaded.
+/// Without usable positions the result has an arbitrary frame and says so (`georeferenced`).
+/// @param photos   At least 3; pixels are loaded once, a few photos at a time.
+/// @param control  Surveyed points; three or more take the place of GNSS in the adjustment.
+/// @returns kInsufficient without enough matching photos or control, kDegenerate when the GNSS
+///          track does not determine scale and orientation or control contradicts itself,
+///          kCancelled, or the error of a photo when none can be loaded.
 [[nodiscard]] Expected<Reconstruction> reconstruct(std::span<const Photo> photos,
                                                    const ReconstructionOptions& options,
-                                                   const RunContext& ctx = {});
+                                                   const RunContext& ctx = {},
+                                                   std::span<const ControlPoint> control = {});
 
 }  // namespace hybridfusion

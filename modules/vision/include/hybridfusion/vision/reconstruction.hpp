@@ -4,6 +4,7 @@
 #include <hybridfusion/core/point_cloud.hpp>
 #include <hybridfusion/core/rigid3.hpp>
 #include <hybridfusion/vision/camera.hpp>
+#include <hybridfusion/vision/ground_control.hpp>
 
 #include <cstdint>
 #include <optional>
@@ -25,6 +26,9 @@ struct View {
   std::string name = {};
   std::uint32_t camera = 0;                    ///< Into Reconstruction::cameras.
   std::optional<Rigid3> enu_from_camera = {};  ///< Camera: x right, y down, z forward.
+  /// Of [camera centre, east-north-up (m); rotation, right perturbation (rad)], from pixels, GNSS
+  /// and calibration together. Empty in sets too large for it (300 photos) and without positions.
+  std::optional<Eigen::Matrix<double, 6, 6>> pose_covariance = {};
   std::vector<Observation> observations = {};
   std::optional<Eigen::Vector3d> gnss_in_enu = {};   ///< Absent or rejected: empty.
   std::optional<Eigen::Vector3d> gnss_sigma_m = {};  ///< As used in the adjustment.
@@ -44,6 +48,21 @@ struct ScenePoint {
   std::vector<ViewObservation> track = {};
 };
 
+/// Systematic errors of the GNSS tags of one flight: a tag shows where the camera was `lag_s`
+/// before its photo, `offset_m + rate_mps * time since the first photo` too high.
+struct FlightErrors {
+  double offset_m = 0.0;
+  double rate_mps = 0.0;
+  double lag_s = 0.0;
+};
+
+/// How far place, scale and tilt of the result can be relied on.
+enum class GeoreferenceVerdict : std::uint8_t {
+  kGood,      ///< Scale to 0.5 % and tilt to 0.5 degrees (one deviation).
+  kLimited,   ///< Worse, or heights rest on something else than the altitudes of the photos.
+  kUnusable,  ///< Scale worse than 1 %, tilt worse than 1 degree, or nothing to place the model by.
+};
+
 /// Figures that tell whether the geometry can be trusted; all over registered views.
 struct ReconstructionQuality {
   double mean_reprojection_px = 0.0;
@@ -53,15 +72,26 @@ struct ReconstructionQuality {
   double estimated_sigma_horizontal_m = 0.0;
   double estimated_sigma_vertical_m = 0.0;
   double initial_focal_px = 0.0;
-  double scale_sigma = 0.0;  ///< Relative standard deviation of the scale that GNSS leaves.
+  double scale_sigma = 0.0;     ///< Relative standard deviation of the scale.
+  double tilt_sigma_rad = 0.0;  ///< Standard deviation of the up direction.
+  /// Height by which GNSS bent the block at its edge against its middle: near 0 where images and
+  /// GNSS agree; a wrong calibration domes it.
+  double dome_m = 0.0;
+  std::vector<FlightErrors> flights = {};  ///< Estimated errors of the GNSS tags, per flight.
+  GeoreferenceVerdict georeference = GeoreferenceVerdict::kGood;
+  std::vector<std::string> georeference_reasons = {};  ///< Why it is not kGood.
 };
 
 /// Cameras and sparse points in the east-north-up frame at `origin`.
 struct Reconstruction {
   GeodeticOrigin origin = {};
+  /// False: no positions were usable. Then the frame is arbitrary: z about up where that is known,
+  /// the middle of the cameras at the origin, and a unit that is no metre.
+  bool georeferenced = true;
   std::vector<CameraIntrinsics> cameras = {};
   std::vector<View> views = {};
   std::vector<ScenePoint> points = {};
+  std::vector<ControlResidual> control = {};  ///< Of the surveyed points, in input order.
   ReconstructionQuality quality = {};
   std::vector<std::string> warnings = {};
 };
