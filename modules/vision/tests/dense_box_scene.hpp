@@ -199,6 +199,7 @@ inline DepthMap perfect_depths(const BoxScene& scene,
       map.rgb.at(x, y) = {grey, grey, grey};
     }
   }
+  map.grey = grey_plane(map.rgb);
   return map;
 }
 

@@ -108,10 +108,10 @@ TEST(DepthConsistency, APhotoWithoutSupportKeepsNothing) {
 TEST(DepthConsistency, DropsDepthsWhereNoOtherPhotoLooksAlike) {
   FourPhotos photos;
   for (std::size_t v = 1; v < 4; ++v) {
-    for (std::size_t i = 0; i < photos.maps[v].rgb.values.size(); ++i) {
+    for (std::size_t i = 0; i < photos.maps[v].grey.values.size(); ++i) {
       const auto noise = static_cast<std::uint8_t>(
           255.0 * testing::lattice(static_cast<int>(i), static_cast<int>(v), 9));
-      photos.maps[v].rgb.values[i] = {noise, noise, noise};
+      photos.maps[v].grey.values[i] = noise;
     }
   }
   const auto before = count_depths(photos.maps[0].depth_m);

@@ -28,6 +28,7 @@ struct DepthMap {
   ImagePlane<float> depth_m = {};  ///< Along the optical axis; NaN where there is none.
   ImagePlane<float> sigma_m = {};
   ImagePlane<Rgb8> rgb = {};
+  ImagePlane<std::uint8_t> grey = {};           ///< grey_plane(rgb)
   ImagePlane<std::uint8_t> mask = {};           ///< 0 where the photo has no data.
   std::vector<std::uint32_t> partners = {};     ///< Views that it was matched with.
   std::vector<std::uint32_t> overlapping = {};  ///< Views that see the same points, best first.
@@ -39,6 +40,8 @@ struct DepthMap {
     return enu_from_camera * Eigen::Vector3d(depth * ray_of(grid, {x, y}));
   }
 };
+
+[[nodiscard]] ImagePlane<std::uint8_t> grey_plane(const ImagePlane<Rgb8>& rgb);
 
 /// Depth at a position between pixels: bilinear over four valid depths of one surface, else the
 /// nearest pixel's. Nothing when that has none.

@@ -9,12 +9,14 @@ namespace hybridfusion {
 /// Semi-global matching of a rectified pair.
 struct StereoOptions {
   std::string matcher = "sgm";
+  bool diagonal_paths = false;
   int smoothness_small = 10;
   int smoothness_large = 60;
   double uniqueness = 0.03;
   double max_left_right_px = 1.0;
   double min_texture_grey = 2.0;
   int min_segment_px = 100;
+  int max_volume_mib = 192;
 };
 
 template <>
@@ -28,6 +30,11 @@ struct OptionFields<StereoOptions> {
            .doc = "sgm: census semi-global matching, coarse to fine. sgbm: OpenCV's, block based; "
                   "quicker on textured ground, invents surfaces on sky and blank walls.",
            .source = "HybridFusion III-A.2; Hirschmueller 2008"}},
+      Field{&T::diagonal_paths,
+            {.key = "diagonal_paths",
+             .doc = "Costs are aggregated along eight paths instead of four, at nearly twice the "
+                    "time.",
+             .source = "Hirschmueller 2008, 2.3; value ours"}},
       Field{&T::smoothness_small,
             {.key = "smoothness_small",
              .unit = "bits",
@@ -71,6 +78,14 @@ struct OptionFields<StereoOptions> {
              .max = 1e6,
              .doc = "Smaller islands of disparity are dropped.",
              .source = "Hirschmueller 2008, 2.5"}},
+      Field{&T::max_volume_mib,
+            {.key = "max_volume_mib",
+             .unit = "MiB",
+             .min = 1,
+             .max = 100000,
+             .doc = "Costs of one pair in memory, a thread; larger pairs are matched in strips of "
+                    "rows, with the same result and about half as much work again.",
+             .source = "ours"}},
   };
 };
 
