@@ -20,17 +20,15 @@ struct OtherView {
   bool is_partner;
 };
 
-std::vector<OtherView> others_of(std::span<const DepthMap> maps, const DepthMap& reference) {
+std::vector<OtherView> others_of(const DepthMap& reference, std::span<const DepthMap* const> maps) {
   std::vector<OtherView> others;
-  for (const std::uint32_t view : reference.overlapping) {
-    if (maps[view].depth_m.values.empty()) continue;
-    const Rigid3 other_from_reference =
-        maps[view].enu_from_camera.inverse() * reference.enu_from_camera;
-    others.push_back(
-        {.map = &maps[view],
-         .rotation = other_from_reference.rotation.toRotationMatrix().cast<float>(),
-         .translation = other_from_reference.translation.cast<float>(),
-         .is_partner = std::ranges::find(reference.partners, view) != reference.partners.end()});
+  for (const DepthMap* map : maps) {
+    const Rigid3 other_from_reference = map->enu_from_camera.inverse() * reference.enu_from_camera;
+    others.push_back({.map = map,
+                      .rotation = other_from_reference.rotation.toRotationMatrix().cast<float>(),
+                      .translation = other_from_reference.translation.cast<float>(),
+                      .is_partner = std::ranges::find(reference.partners, map->view) !=
+                                    reference.partners.end()});
   }
   return others;
 }
@@ -114,7 +112,7 @@ Seen Band::look_at(int x, int y) const {
   const float own_sigma = reference_.sigma_m.at(x, y);
   const float sigma = map.has_depth(column, row) ? map.sigma_m.at(column, row) : own_sigma;
   const float step =  // one pixel of disparity
-      std::max(own_sigma, sigma) / static_cast<float>(kDisparitySigmaPx);
+      std::max(own_sigma, sigma) / static_cast<float>(reference_.disparity_sigma_px);
   const float tolerance = std::min(static_cast<float>(options_.max_relative_depth) * p.z(),
                                    static_cast<float>(options_.max_disparity_px) * step);
   const float gap = static_cast<float>(*theirs) - p.z();
@@ -204,11 +202,10 @@ std::optional<DepthGuess> checked_depth(const DepthMap& reference,
 
 }  // namespace
 
-CheckedDepth check_depths(std::span<const DepthMap> maps,
-                          std::uint32_t reference_view,
+CheckedDepth check_depths(const DepthMap& reference,
+                          std::span<const DepthMap* const> maps,
                           const DepthCheckOptions& options) {
-  const DepthMap& reference = maps[reference_view];
-  const std::vector<OtherView> others = others_of(maps, reference);
+  const std::vector<OtherView> others = others_of(reference, maps);
   const int width = reference.grid.width_px;
   const int height = reference.grid.height_px;
   CheckedDepth result{.depth_m = {width, height, kNothing}, .sigma_m = {width, height, 0.0F}};

@@ -1,7 +1,6 @@
 #include "depth_fusion.hpp"
 
-#include "voxel_table.hpp"
-
+#include <hybridfusion/core/error.hpp>
 #include <hybridfusion/core/parallel.hpp>
 #include <hybridfusion/geometry/kd_tree.hpp>
 #include <hybridfusion/geometry/normals.hpp>
@@ -12,39 +11,6 @@
 
 namespace hybridfusion {
 namespace {
-
-double median_depth(const DepthMap& map) {
-  std::vector<float> depths;
-  for (std::size_t i = 0; i < map.depth_m.values.size(); i += 7) {
-    if (!std::isnan(map.depth_m.values[i])) depths.push_back(map.depth_m.values[i]);
-  }
-  if (depths.empty()) return 0.0;
-  const auto middle = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
-  std::ranges::nth_element(depths, middle);
-  return *middle;
-}
-
-void add_depths(const DepthMap& map, double voxel_m, double max_depth_m, VoxelTable& voxels) {
-  const Eigen::Vector3d centre = map.enu_from_camera.translation;
-  const Eigen::Matrix3d enu_from_camera = map.enu_from_camera.rotation.toRotationMatrix();
-  for (int y = 0; y < map.grid.height_px; ++y) {
-    for (int x = 0; x < map.grid.width_px; ++x) {
-      if (!map.has_depth(x, y) || map.depth_m.at(x, y) > max_depth_m) continue;
-      const Eigen::Vector3d ray = enu_from_camera * ray_of(map.grid, {x, y});
-      const Eigen::Vector3d point = centre + map.depth_m.at(x, y) * ray;
-      const VoxelIndex index = voxel_of(point.cast<float>(), voxel_m);
-      const float sigma = map.sigma_m.at(x, y);
-      const float weight = 1.0F / (sigma * sigma);
-      VoxelSums& sums = voxels[voxel_key(index)];
-      sums.weight += weight;
-      sums.offset += weight * (point - voxel_m * index.cast<double>()).cast<float>();
-      sums.towards_photo -= ray.normalized().cast<float>();
-      const Rgb8& rgb = map.rgb.at(x, y);
-      sums.color += Eigen::Vector3f(rgb[0], rgb[1], rgb[2]);
-      ++sums.count;
-    }
-  }
-}
 
 /// The cloud with `normals` holding the direction to the photos until real normals replace them.
 PointCloud cloud_of(const VoxelTable& voxels, double voxel_m, int min_count) {
@@ -112,23 +78,35 @@ PointCloud with_normals(PointCloud cloud, const RunContext& ctx) {
 
 }  // namespace
 
-PointCloud fuse_depth_maps(std::span<const DepthMap> maps,
-                           double voxel_m,
-                           const DensifyOptions& options,
-                           const RunContext& ctx) {
-  std::vector<double> medians;
-  for (const DepthMap& map : maps) {
-    if (!map.depth_m.values.empty()) medians.push_back(median_depth(map));
+DepthFusion::DepthFusion(double voxel_m) : voxel_m_(voxel_m) {
+  HF_CHECK(voxel_m > 0.0);
+}
+
+void DepthFusion::add(const DepthMap& map) {
+  const Eigen::Vector3d centre = map.enu_from_camera.translation;
+  const Eigen::Matrix3d enu_from_camera = map.enu_from_camera.rotation.toRotationMatrix();
+  for (int y = 0; y < map.grid.height_px; ++y) {
+    for (int x = 0; x < map.grid.width_px; ++x) {
+      if (!map.has_depth(x, y)) continue;
+      const Eigen::Vector3d ray = enu_from_camera * ray_of(map.grid, {x, y});
+      const Eigen::Vector3d point = centre + map.depth_m.at(x, y) * ray;
+      const VoxelIndex index = voxel_of(point.cast<float>(), voxel_m_);
+      const float sigma = map.sigma_m.at(x, y);
+      const float weight = 1.0F / (sigma * sigma);
+      VoxelSums& sums = voxels_[voxel_key(index)];
+      sums.weight += weight;
+      sums.offset += weight * (point - voxel_m_ * index.cast<double>()).cast<float>();
+      sums.towards_photo -= ray.normalized().cast<float>();
+      const Rgb8& rgb = map.rgb.at(x, y);
+      sums.color += Eigen::Vector3f(rgb[0], rgb[1], rgb[2]);
+      ++sums.count;
+    }
   }
-  std::ranges::sort(medians);
-  const double max_depth_m =
-      medians.empty() ? 0.0 : options.max_gsd_ratio * medians[medians.size() / 2];
-  VoxelTable voxels;
-  for (const DepthMap& map : maps) {
-    if (!map.depth_m.values.empty()) add_depths(map, voxel_m, max_depth_m, voxels);
-  }
-  PointCloud cloud = cloud_of(voxels, voxel_m, options.min_points_per_voxel);
-  voxels = {};  // as large as the cloud
+}
+
+PointCloud DepthFusion::finish(int min_depths, const RunContext& ctx) {
+  PointCloud cloud = cloud_of(voxels_, voxel_m_, min_depths);
+  voxels_ = {};  // as large as the cloud
   return with_normals(std::move(cloud), ctx);
 }
 

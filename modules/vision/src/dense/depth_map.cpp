@@ -62,6 +62,12 @@ DepthGuess merge_guesses(const std::vector<DepthGuess>& guesses) {
   return {.depth_m = sum / best_support, .sigma_m = 1.0 / std::sqrt(best_support)};
 }
 
+void drop_far_depths(DepthMap& map, double max_depth_m) {
+  for (float& depth : map.depth_m.values) {
+    if (depth > max_depth_m) depth = std::numeric_limits<float>::quiet_NaN();
+  }
+}
+
 void erode_depth_edges(DepthMap& map, double edge_step, int margin_px) {
   const ImagePlane<float> depth = map.depth_m;
   const auto step_to = [&](int x, int y, int u, int v) {

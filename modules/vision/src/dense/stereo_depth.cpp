@@ -11,7 +11,6 @@
 namespace hybridfusion {
 namespace {
 
-constexpr double kMaxVerticalParallaxPx = 1.0;
 constexpr std::size_t kMaxOverlapping = 10;
 constexpr double kMaxDisparities = 512.0;
 
@@ -155,7 +154,7 @@ PairDepths pair_depths(const DepthMap& map,
       const double z = geometry.depth_m(k);  // along the rectified axis
       // sigma_z = z^2 / (f B) sigma_d; both scale by 1 / ray.z() to the photo's own axis.
       const double sigma =
-          z * z / (geometry.left.focal_px * geometry.baseline_m) * kDisparitySigmaPx;
+          z * z / (geometry.left.focal_px * geometry.baseline_m) * map.disparity_sigma_px;
       result.depth_m.at(x, y) = static_cast<float>(z / ray.z());
       result.sigma_m.at(x, y) = static_cast<float>(sigma / ray.z());
     }
@@ -202,51 +201,58 @@ DepthMap empty_map(const Reconstruction& reconstruction,
   return map;
 }
 
+/// Depths of the reference photo from one partner. @returns why there are none.
+Expected<PairDepths> match_partner(const Reconstruction& reconstruction,
+                                   const DepthMap& map,
+                                   const StereoPartner& partner,
+                                   const WorkImage& first,
+                                   const WorkImage& second,
+                                   const StereoOptions& options) {
+  const Pair pair{.first = posed(reconstruction, map.view, first),
+                  .second = posed(reconstruction, partner.view, second)};
+  HF_TRY(const RectificationRequest request, request_for(reconstruction, partner, pair));
+  HF_TRY(const RectifiedGeometry geometry, rectify(pair.first, pair.second, request));
+  const double parallax = vertical_parallax_px(reconstruction, map.view, partner, geometry);
+  if (!(parallax <= options.max_vertical_parallax_px)) {
+    return fail(ErrorCode::kDegenerate,
+                fmt::format("rows do not correspond: median vertical parallax {:.2f} px, more than "
+                            "stereo.max_vertical_parallax_px = {:.2f}",
+                            parallax,
+                            options.max_vertical_parallax_px));
+  }
+  HF_TRY(const ImagePlane<float> disparity,
+         match_pair(rectified_images(pair, first, second, geometry), options));
+  return pair_depths(map, geometry, disparity);
+}
+
 }  // namespace
 
 StereoDepthResult stereo_depth(const Reconstruction& reconstruction,
                                std::uint32_t reference,
-                               std::span<const WorkImage> images,
+                               WorkImages& images,
                                const DensifyOptions& options) {
-  StereoDepthResult result{.map = empty_map(reconstruction, reference, images[reference])};
-  DepthMap& map = result.map;
+  const WorkImages::Handle first = images.get(reference);
+  HF_CHECK(first != nullptr);
+  StereoDepthResult result{.map = empty_map(reconstruction, reference, *first)};
+  result.map.disparity_sigma_px = options.stereo.disparity_sigma_px;
   std::vector<PairDepths> pairs;
   for (const StereoPartner& partner : choose_partners(reconstruction, reference, options)) {
-    if (images[partner.view].rgb.empty()) continue;
-    const auto refuse = [&](const std::string& why) {
+    const WorkImages::Handle second = images.get(partner.view);
+    if (!second) continue;
+    auto depths =
+        match_partner(reconstruction, result.map, partner, *first, *second, options.stereo);
+    if (!depths) {
       result.refusals.push_back(fmt::format("{} with {}: {}",
                                             reconstruction.views[reference].name,
                                             reconstruction.views[partner.view].name,
-                                            why));
-    };
-    const Pair pair{.first = posed(reconstruction, reference, images[reference]),
-                    .second = posed(reconstruction, partner.view, images[partner.view])};
-    const auto request = request_for(reconstruction, partner, pair);
-    if (!request) {
-      refuse(request.error().message);
+                                            depths.error().message));
       continue;
     }
-    const auto geometry = rectify(pair.first, pair.second, *request);
-    if (!geometry) {
-      refuse(geometry.error().message);
-      continue;
-    }
-    const double parallax = vertical_parallax_px(reconstruction, reference, partner, *geometry);
-    if (!(parallax <= kMaxVerticalParallaxPx)) {
-      refuse(fmt::format("rows do not correspond: median vertical parallax {:.2f} px", parallax));
-      continue;
-    }
-    const auto disparity = match_pair(
-        rectified_images(pair, images[reference], images[partner.view], *geometry), options.stereo);
-    if (!disparity) {
-      refuse(disparity.error().message);
-      continue;
-    }
-    pairs.push_back(pair_depths(map, *geometry, *disparity));
-    map.partners.push_back(partner.view);
+    pairs.push_back(std::move(*depths));
+    result.map.partners.push_back(partner.view);
     ++result.num_pairs;
   }
-  merge_pairs(pairs, map);
+  merge_pairs(pairs, result.map);
   return result;
 }
 
