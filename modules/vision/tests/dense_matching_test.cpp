@@ -1,6 +1,7 @@
 #include "dense/census.hpp"
 #include "dense/semi_global_matching.hpp"
 #include "dense/stereo_matcher.hpp"
+#include "dense/texture_mask.hpp"
 #include "dense_box_scene.hpp"
 
 #include <hybridfusion/core/random.hpp>
@@ -352,7 +353,7 @@ TEST(StereoMatcher, ABlankSkyAndPixelsWithoutDataGetNoDisparity) {
     for (int y = 0; y < 100; ++y) {
       for (int x = 0; x < 200; ++x) {
         if (std::isnan(found->at(x, y))) continue;
-        sky += y < 36 ? 1 : 0;  // the window reaches 3 rows down
+        sky += y < 39 ? 1 : 0;  // no window of the blank part takes the wall's disparity
         outside += y >= 40 && x >= 150 ? 1 : 0;
         inside += y >= 50 && y < 90 && x >= 10 && x < 140 ? 1 : 0;
       }
@@ -360,6 +361,25 @@ TEST(StereoMatcher, ABlankSkyAndPixelsWithoutDataGetNoDisparity) {
     EXPECT_EQ(sky, 0) << matcher;
     EXPECT_EQ(outside, 0) << matcher;
     EXPECT_GT(inside, 0.95 * 40 * 130) << matcher;
+  }
+}
+
+TEST(WeakTexture, ShadowNeedsLessContrastThanLightAndBlankIsWeakInBoth) {
+  Grey grey(60, 30, 20);
+  Random random(3, "shadow");
+  for (int y = 0; y < 30; ++y) {
+    for (int x = 0; x < 60; ++x) {
+      const int noise = static_cast<int>(random.index(5)) - 2;  // deviation 1.4
+      if (x < 20) grey.at(x, y) = static_cast<std::uint8_t>(40 + noise);
+      if (x >= 20 && x < 40) grey.at(x, y) = static_cast<std::uint8_t>(180 + noise);
+    }
+  }
+  const auto weak = weak_texture(grey, 2.0);
+  for (int y = 5; y < 25; ++y) {
+    for (int x = 5; x < 15; ++x) EXPECT_EQ(weak.at(x, y), 0);
+    for (int x = 25; x < 35; ++x) EXPECT_EQ(weak.at(x, y), 1);
+    // Next to the step at 40 the large window is not blank, the pixel's surroundings are.
+    for (int x = 41; x < 60; ++x) EXPECT_EQ(weak.at(x, y), 1);
   }
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <vector>
 
 namespace hybridfusion {
@@ -83,38 +82,6 @@ ImagePlane<std::uint64_t> census_transform(const ImagePlane<std::uint8_t>& grey)
     join_bytes(bytes.data(), width, codes.row(y), grey.width);
   }
   return codes;
-}
-
-ImagePlane<float> window_deviation(const ImagePlane<std::uint8_t>& grey) {
-  const ImagePlane<std::uint8_t> source = padded(grey);
-  ImagePlane<float> result(grey.width, grey.height);
-  // Sums down each column, moved on by one row at a time.
-  std::vector<int> sum(static_cast<std::size_t>(source.width), 0);
-  std::vector<int> squares(sum.size(), 0);
-  const auto add_row = [&](int y, int sign) {
-    const std::uint8_t* row = source.row(y);
-    for (std::size_t x = 0; x < sum.size(); ++x) {
-      sum[x] += sign * row[x];
-      squares[x] += sign * row[x] * row[x];
-    }
-  };
-  for (int y = 0; y + 1 < kWindowHeight; ++y) add_row(y, +1);
-  for (int y = 0; y < grey.height; ++y) {
-    add_row(y + kWindowHeight - 1, +1);
-    for (int x = 0; x < grey.width; ++x) {
-      int s = 0;
-      int q = 0;
-      for (int dx = 0; dx < kWindowWidth; ++dx) {
-        s += sum[static_cast<std::size_t>(x + dx)];
-        q += squares[static_cast<std::size_t>(x + dx)];
-      }
-      constexpr float kCount = kWindowWidth * kWindowHeight;
-      const float mean = static_cast<float>(s) / kCount;
-      result.at(x, y) = std::sqrt(std::max(0.0F, static_cast<float>(q) / kCount - mean * mean));
-    }
-    add_row(y, -1);
-  }
-  return result;
 }
 
 }  // namespace hybridfusion

@@ -128,9 +128,9 @@ Seen Band::look_at(int x, int y) const {
 
 /// Zero-mean normalised cross-correlation of the 5 x 5 pixels around (x, y) with where the other
 /// photo shows their points. Each pixel counts with its own depth (slanted windows); those without
-/// one, or on another surface, do not count. Nothing when fewer than half are left.
+/// one, or on another surface, do not count. Nothing when few are left.
 std::optional<float> Band::correlation(int x, int y) const {
-  constexpr float kMinCount = 13.0F;
+  constexpr float kMinCount = 9.0F;
   const float depth = reference_.depth_m.at(x, y);
   const auto middle = static_cast<float>(reference_.grey.at(x, y));
   const int begin = std::max(0, x - kPatch);

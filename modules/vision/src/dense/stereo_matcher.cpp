@@ -1,6 +1,6 @@
 #include "stereo_matcher.hpp"
 
-#include "census.hpp"
+#include "texture_mask.hpp"
 
 #include <algorithm>
 #include <array>
@@ -15,7 +15,9 @@ namespace hybridfusion {
 namespace {
 
 constexpr float kInvalid = std::numeric_limits<float>::quiet_NaN();
-constexpr int kMinCoarseDisparities = 16;
+// Matching a quarter of the pixels over that many is cheap, and a still coarser level would lose
+// narrow surfaces.
+constexpr int kMinCoarseDisparities = 48;
 constexpr int kMinCoarseWidth = 160;
 
 ImagePlane<std::uint8_t> half_grey(const ImagePlane<std::uint8_t>& image) {
@@ -96,9 +98,9 @@ ImagePlane<float> match_with_opencv(const RectifiedImages& images, const StereoO
 void remove_weak_texture(const RectifiedImages& images,
                          double min_grey,
                          ImagePlane<float>& disparity) {
-  const ImagePlane<float> deviation = window_deviation(images.left);
+  const ImagePlane<std::uint8_t> weak = weak_texture(images.left, min_grey);
   for (std::size_t i = 0; i < disparity.values.size(); ++i) {
-    if (deviation.values[i] < min_grey) disparity.values[i] = kInvalid;
+    if (weak.values[i] != 0) disparity.values[i] = kInvalid;
   }
 }
 
