@@ -2,9 +2,9 @@
 // `vision_goals` beside this file prints the table. See --help.
 #include "dense/checked_depths.hpp"
 #include "dense/depth_fusion.hpp"
-#include "dense/stereo_matcher.hpp"
 #include "features.hpp"
 #include "imported_poses.hpp"
+#include "matching_speed.hpp"
 #include "pair_selection.hpp"
 
 #include <hybridfusion/io/photo_folder.hpp>
@@ -12,7 +12,6 @@
 #include <hybridfusion/vision/reconstruct.hpp>
 
 #include <algorithm>
-#include <ctime>
 #include <fstream>
 #include <iostream>
 #include <map>
@@ -25,7 +24,8 @@
 
 namespace {
 
-using namespace hybridfusion;  // NOLINT(google-build-using-namespace): a program
+using namespace hybridfusion;             // NOLINT(google-build-using-namespace): a program
+using namespace hybridfusion::benchmark;  // NOLINT(google-build-using-namespace)
 using Json = nlohmann::ordered_json;
 
 struct Arguments {
@@ -35,13 +35,6 @@ struct Arguments {
   std::string scratch = {};
   std::vector<std::string> settings = {};
 };
-
-/// CPU time of all threads [s].
-double cpu_s() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 /// VmHWM, not ru_maxrss: the latter inherits the peak of the parent process.
 double peak_memory_mib() {
@@ -233,45 +226,6 @@ Expected<Json> dense_figures(const PhotoFolder& folder,
       {"memory_mib", peak_memory_mib()}};
 }
 
-/// Matching alone, 161 disparities: one photo against itself, shifted. The time does not depend on
-/// what is in the photo.
-Json matching_figures(const PhotoFolder& folder, const DensifyOptions& options) {
-  constexpr int kDisparities = 161;
-  const auto image = folder.photos.front().load();
-  if (!image) return nullptr;
-  const WorkImage work = reduce(*image,
-                                {.width_px = image->width, .height_px = image->height},
-                                std::min(options.max_size_px, 1200));
-  const int width = work.grey.cols / 4 * 4 - kDisparities + 1;
-  const int height = work.grey.rows / 4 * 4;
-  if (width < kDisparities) return nullptr;
-  RectifiedImages pair{.left = {width / 4 * 4, height},
-                       .right = {width / 4 * 4 + kDisparities - 1, height},
-                       .left_mask = {width / 4 * 4, height, 255},
-                       .right_mask = {width / 4 * 4 + kDisparities - 1, height, 255},
-                       .num_disparities = kDisparities};
-  for (int y = 0; y < height; ++y) {
-    std::copy_n(work.grey.ptr<std::uint8_t>(y), pair.right.width, pair.right.row(y));
-    std::copy_n(work.grey.ptr<std::uint8_t>(y) + 80, pair.left.width, pair.left.row(y));
-  }
-  const double mpx = 1e-6 * static_cast<double>(pair.left.values.size());
-  Json json;
-  const auto timed = [&](const char* name, auto&& work_on) {
-    const double start = cpu_s();
-    work_on();
-    json[name] = (cpu_s() - start) / mpx;
-  };
-  StereoOptions stereo = options.stereo;
-  stereo.diagonal_paths = false;
-  timed("full_range_4_paths", [&] { (void)match_semi_globally(pair, full_ranges(pair), stereo); });
-  timed("coarse_to_fine_4_paths", [&] { (void)match_pair(pair, stereo); });
-  stereo.diagonal_paths = true;
-  timed("full_range_8_paths", [&] { (void)match_semi_globally(pair, full_ranges(pair), stereo); });
-  stereo.matcher = "sgbm";
-  timed("opencv_sgbm_3way", [&] { (void)match_pair(pair, stereo); });
-  return json;
-}
-
 Expected<Json> measure(const Arguments& arguments) {
   PipelineOptions options;
   for (const std::string& setting : arguments.settings) {
@@ -288,7 +242,7 @@ Expected<Json> measure(const Arguments& arguments) {
       reconstruction.views, [](const View& v) { return v.enu_from_camera.has_value(); });
   HF_TRY(json["dense"],
          dense_figures(folder, reconstruction, options.vision.densify, arguments.scratch));
-  json["sgm_cpu_s_per_mpx"] = matching_figures(folder, options.vision.densify);
+  json["sgm_cpu_s_per_mpx"] = matching_speed(folder.photos.front(), options.vision.densify);
   return json;
 }
 

@@ -22,7 +22,8 @@ class FirstError {
     const std::scoped_lock lock(mutex_);
     if (!error_) error_ = error;
   }
-  [[nodiscard]] Expected<void> result(const RunContext& ctx) const {
+  [[nodiscard]] Expected<void> result(const RunContext& ctx) {
+    const std::scoped_lock lock(mutex_);
     if (error_) return std::unexpected(*error_);
     if (ctx.stopped()) return fail(ErrorCode::kCancelled, "stopped by the caller");
     return {};
