@@ -5,8 +5,6 @@
 #include <Eigen/Eigenvalues>
 
 namespace hybridfusion {
-namespace {
-
 PointShape shape_of(std::span<const Eigen::Vector3f> points, std::span<const Neighbor> members) {
   if (members.size() < 3) return {};
   Eigen::Vector3d mean;
@@ -19,8 +17,6 @@ PointShape shape_of(std::span<const Eigen::Vector3f> points, std::span<const Nei
   return {.normal = solver.eigenvectors().col(0).cast<float>(),
           .curvature = static_cast<float>(values[0] / sum)};
 }
-
-}  // namespace
 
 Eigen::Matrix3d covariance_of(std::span<const Eigen::Vector3f> points,
                               std::span<const Neighbor> members,

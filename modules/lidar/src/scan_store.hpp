@@ -1,7 +1,6 @@
 #pragma once
 
-#include "spill_file.hpp"
-
+#include <hybridfusion/core/spill_file.hpp>
 #include <hybridfusion/lidar/odometry.hpp>
 
 #include <cstdint>

@@ -1,10 +1,10 @@
 #include "dense_map.hpp"
 
 #include "dense_tiles.hpp"
-#include "spill_file.hpp"
 #include "street_world.hpp"
 
 #include <hybridfusion/core/random.hpp>
+#include <hybridfusion/core/spill_file.hpp>
 
 #include <algorithm>
 #include <filesystem>

@@ -136,7 +136,8 @@ Expected<StageResult> reconstruct_into(Project& project,
   HF_TRY(const Reconstruction reconstruction,
          posed_photos(folder, inputs, options.reconstruction, ctx));
   for (const std::string& warning : reconstruction.warnings) ctx.warn(warning);
-  HF_TRY(const PointCloud dense, densify(folder.photos, reconstruction, options.densify, ctx));
+  HF_TRY(const PointCloud dense,
+         densify(folder.photos, reconstruction, options.densify, ctx, workspace.path("vision")));
   auto written = write_colmap_model(workspace.path("vision"), colmap_model_of(reconstruction));
   if (written) {
     written = write_positions_csv(workspace.path(workspace_file::kPositions),

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "dense/depth_consistency.hpp"
+#include "dense/depth_fusion.hpp"
 #include "dense/depth_map.hpp"
 
 #include <hybridfusion/core/photo.hpp>
@@ -176,6 +178,23 @@ inline Survey survey(const BoxScene& scene,
   return result;
 }
 
+inline PointCloud fused(std::span<const DepthMap> maps, double voxel_m, int min_depths) {
+  DepthFusion fusion(voxel_m);
+  for (const DepthMap& map : maps) fusion.add(map);
+  return fusion.finish(min_depths, {});
+}
+
+/// Checks one of the maps against all others.
+inline CheckedDepth checked(std::span<const DepthMap> maps,
+                            std::uint32_t view,
+                            const DepthCheckOptions& options = {}) {
+  std::vector<const DepthMap*> others;
+  for (const DepthMap& map : maps) {
+    if (map.view != view) others.push_back(&map);
+  }
+  return check_depths(maps[view], others, options);
+}
+
 /// What stereo would hand over for a photo if it made no error.
 inline DepthMap perfect_depths(const BoxScene& scene,
                                const PosedCamera& camera,
@@ -199,6 +218,7 @@ inline DepthMap perfect_depths(const BoxScene& scene,
       map.rgb.at(x, y) = {grey, grey, grey};
     }
   }
+  map.grey = grey_plane(map.rgb);
   return map;
 }
 

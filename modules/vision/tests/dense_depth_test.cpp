@@ -1,7 +1,11 @@
 #include "dense/depth_consistency.hpp"
 #include "dense/depth_fusion.hpp"
+#include "dense/depth_map_store.hpp"
 #include "dense/pair_choice.hpp"
 #include "dense_box_scene.hpp"
+
+#include <cstring>
+#include <filesystem>
 
 #include <gtest/gtest.h>
 
@@ -78,7 +82,7 @@ double count_depths(const ImagePlane<float>& plane) {
 
 TEST(DepthConsistency, KeepsTrueDepthsAndReducesTheirSigma) {
   const FourPhotos photos;
-  const CheckedDepth checked = check_depths(photos.maps, 0, {});
+  const CheckedDepth checked = testing::checked(photos.maps, 0);
   // A fifth of the photo is beyond the edge of all others.
   EXPECT_GT(count_depths(checked.depth_m), 0.75 * count_depths(photos.maps[0].depth_m));
   EXPECT_NEAR(checked.depth_m.at(45, 60), photos.maps[0].depth_m.at(45, 60), 0.03);
@@ -90,7 +94,7 @@ TEST(DepthConsistency, DropsAPlantedOutlierInFrontOfAndBehindTheSurface) {
   for (const float factor : {0.8F, 1.2F}) {
     const float truth = photos.maps[0].depth_m.at(40, 60);
     photos.maps[0].depth_m.at(40, 60) = factor * truth;
-    const CheckedDepth checked = check_depths(photos.maps, 0, {});
+    const CheckedDepth checked = testing::checked(photos.maps, 0);
     EXPECT_TRUE(std::isnan(checked.depth_m.at(40, 60))) << factor;
     EXPECT_FALSE(std::isnan(checked.depth_m.at(50, 60)));
     photos.maps[0].depth_m.at(40, 60) = truth;
@@ -102,23 +106,23 @@ TEST(DepthConsistency, APhotoWithoutSupportKeepsNothing) {
   for (std::size_t v = 1; v < 4; ++v) {
     std::ranges::fill(photos.maps[v].depth_m.values, kNone);
   }
-  EXPECT_EQ(count_depths(check_depths(photos.maps, 0, {}).depth_m), 0);
+  EXPECT_EQ(count_depths(testing::checked(photos.maps, 0).depth_m), 0);
 }
 
 TEST(DepthConsistency, DropsDepthsWhereNoOtherPhotoLooksAlike) {
   FourPhotos photos;
   for (std::size_t v = 1; v < 4; ++v) {
-    for (std::size_t i = 0; i < photos.maps[v].rgb.values.size(); ++i) {
+    for (std::size_t i = 0; i < photos.maps[v].grey.values.size(); ++i) {
       const auto noise = static_cast<std::uint8_t>(
           255.0 * testing::lattice(static_cast<int>(i), static_cast<int>(v), 9));
-      photos.maps[v].rgb.values[i] = {noise, noise, noise};
+      photos.maps[v].grey.values[i] = noise;
     }
   }
   const auto before = count_depths(photos.maps[0].depth_m);
   // Correlation of 25 independent pairs exceeds 0.5 with a probability of about 1 %, for each of
   // three judges.
-  EXPECT_LT(count_depths(check_depths(photos.maps, 0, {}).depth_m), 0.05 * before);
-  EXPECT_GT(count_depths(check_depths(photos.maps, 0, {.min_correlation = -1.0}).depth_m),
+  EXPECT_LT(count_depths(testing::checked(photos.maps, 0).depth_m), 0.05 * before);
+  EXPECT_GT(count_depths(testing::checked(photos.maps, 0, {.min_correlation = -1.0}).depth_m),
             0.75 * before);
 }
 
@@ -130,7 +134,7 @@ TEST(DepthConsistency, TwoSheetsBecomeOne) {
   }
   std::vector<float> heights;
   for (std::uint32_t v = 0; v < 4; ++v) {
-    const CheckedDepth checked = check_depths(photos.maps, v, {});
+    const CheckedDepth checked = testing::checked(photos.maps, v);
     const float z = checked.depth_m.at(45, 60);
     ASSERT_FALSE(std::isnan(z)) << v;
     heights.push_back(static_cast<float>(photos.maps[v].point_in_enu(20, 60, z).z()));
@@ -140,7 +144,6 @@ TEST(DepthConsistency, TwoSheetsBecomeOne) {
 }
 
 TEST(DepthFusion, MergesTwoSheetsWithTheWeightsOfTheirSigmas) {
-  DensifyOptions options;
   const testing::BoxScene scene{.box_height_m = 0.0};
   const PosedCamera camera{testing::small_camera(80, 60), testing::looking({0, 0, 20}, kDown, 0)};
   std::vector<DepthMap> maps{testing::perfect_depths(scene, camera, 0, 0.02),
@@ -148,7 +151,7 @@ TEST(DepthFusion, MergesTwoSheetsWithTheWeightsOfTheirSigmas) {
   // Heights 0.5 and 0.7 m: one voxel of 1 m. Mean = (0.5 * 4 + 0.7 * 1) / 5.
   for (float& z : maps[0].depth_m.values) z -= 0.5F;
   for (float& z : maps[1].depth_m.values) z -= 0.7F;
-  const PointCloud cloud = fuse_depth_maps(maps, 1.0, options, {});
+  const PointCloud cloud = testing::fused(maps, 1.0, 2);
   ASSERT_GT(cloud.size(), 100U);
   ASSERT_TRUE(validate(cloud));
   int inner = 0;
@@ -167,17 +170,51 @@ TEST(DepthFusion, DropsThinVoxelsAndTheFarField) {
   const testing::BoxScene scene{.box_height_m = 0.0};
   const PosedCamera camera{testing::small_camera(80, 60), testing::looking({0, 0, 20}, kDown, 0)};
   const std::vector<DepthMap> maps{testing::perfect_depths(scene, camera, 0, 0.02)};
-  DensifyOptions options;
-  EXPECT_GT(fuse_depth_maps(maps, 1.0, options, {}).size(), 100U);
-  EXPECT_EQ(fuse_depth_maps(maps, 0.01, options, {}).size(), 0U);  // one depth a voxel
-  std::vector<DepthMap> with_far = maps;
-  for (int x = 0; x < 80; ++x) {
-    with_far[0].depth_m.at(x, 30) = 100.0F;
-    with_far[0].depth_m.at(x, 31) = 100.0F;
+  EXPECT_GT(testing::fused(maps, 1.0, 2).size(), 100U);
+  EXPECT_EQ(testing::fused(maps, 0.01, 2).size(), 0U);  // one depth a voxel
+}
+
+TEST(DepthMap, FarDepthsAreDroppedAndNearOnesKept) {
+  DepthMap map;
+  map.depth_m = {3, 1, 50.0F};
+  map.depth_m.at(1, 0) = 61.0F;
+  map.depth_m.at(2, 0) = kNone;
+  drop_far_depths(map, 60.0);
+  EXPECT_EQ(map.depth_m.at(0, 0), 50.0F);
+  EXPECT_TRUE(std::isnan(map.depth_m.at(1, 0)));
+}
+
+TEST(DepthMapStore, MapsOnDiskComeBackByteForByteWithinTheMemoryGiven) {
+  const FourPhotos photos;
+  constexpr std::size_t kBytes = 160 * 120 * 13;
+  const auto store = DepthMapStore::create(5, 2 * kBytes, std::filesystem::temp_directory_path());
+  ASSERT_TRUE(store);
+  for (std::uint32_t v = 0; v < 4; ++v) ASSERT_TRUE((*store)->put(v, photos.maps[v]));
+  for (const std::uint32_t v : {0U, 3U, 1U, 2U, 0U}) {
+    const auto map = (*store)->get(v);
+    ASSERT_TRUE(map && *map);
+    const DepthMap& expected = photos.maps[v];
+    EXPECT_EQ(std::memcmp((*map)->depth_m.values.data(),
+                          expected.depth_m.values.data(),
+                          expected.depth_m.values.size() * sizeof(float)),
+              0);
+    EXPECT_EQ((*map)->sigma_m.values, expected.sigma_m.values);
+    EXPECT_EQ((*map)->rgb.values, expected.rgb.values);
+    EXPECT_EQ((*map)->grey.values, expected.grey.values);
+    EXPECT_EQ((*map)->mask.values, expected.mask.values);
+    EXPECT_EQ((*map)->partners, expected.partners);
+    EXPECT_EQ((*map)->overlapping, expected.overlapping);
+    EXPECT_LE((*store)->resident_bytes(), 2 * kBytes);
   }
-  for (const Eigen::Vector3f& p : fuse_depth_maps(with_far, 1.0, options, {}).points) {
-    EXPECT_GT(p.z(), -1.0F);
-  }
+  const auto none = (*store)->get(4);
+  ASSERT_TRUE(none);
+  EXPECT_EQ(*none, nullptr);
+}
+
+TEST(DepthMapStore, AFolderThatDoesNotExistIsAnIoError) {
+  const auto store = DepthMapStore::create(2, 1, "/nonexistent/folder");
+  ASSERT_FALSE(store);
+  EXPECT_EQ(store.error().code, ErrorCode::kIo);
 }
 
 TEST(DepthFusion, RemovesASpeckInTheAir) {
@@ -187,7 +224,7 @@ TEST(DepthFusion, RemovesASpeckInTheAir) {
   for (const int x : {80, 81, 82}) {
     for (const int y : {60, 61, 62}) maps[0].depth_m.at(x, y) = 8.0F;
   }
-  for (const Eigen::Vector3f& p : fuse_depth_maps(maps, 0.5, {}, {}).points) {
+  for (const Eigen::Vector3f& p : testing::fused(maps, 0.5, 2).points) {
     EXPECT_LT(p.z(), 1.0F);
   }
 }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include <gtest/gtest.h>
 
@@ -39,6 +40,7 @@ DepthMap true_depth_map(const DenseScene& scene, std::uint32_t view) {
       map.rgb.at(x, y) = {grey, grey, grey};
     }
   }
+  map.grey = grey_plane(map.rgb);
   return map;
 }
 
@@ -87,7 +89,7 @@ TEST(CheckDepths, KeepsTheTruthAndDropsAPlantedOutlier) {
   std::vector<DepthMap> maps = true_depth_maps(scene);
   const float truth = maps[0].depth_m.at(100, 100);
   maps[0].depth_m.at(60, 60) -= 2.0F;  // a speck in the air: the others look through it
-  const CheckedDepth checked = check_depths(maps, 0, {});
+  const CheckedDepth checked = testing::checked(maps, 0);
   EXPECT_TRUE(std::isnan(checked.depth_m.at(60, 60)));
   EXPECT_NEAR(checked.depth_m.at(100, 100), truth, 0.02);
   EXPECT_LT(checked.sigma_m.at(100, 100), 0.04F);  // 0.05 / sqrt(2) with one supporter
@@ -100,7 +102,7 @@ TEST(CheckDepths, ADepthThatOnlyOnePhotoHasIsDropped) {
   const DenseScene scene = make_dense_scene();
   std::vector<DepthMap> maps = true_depth_maps(scene);
   for (std::uint32_t v = 1; v < 4; ++v) std::ranges::fill(maps[v].depth_m.values, std::nanf(""));
-  const CheckedDepth checked = check_depths(maps, 0, {});
+  const CheckedDepth checked = testing::checked(maps, 0);
   EXPECT_TRUE(std::ranges::all_of(checked.depth_m.values, [](float z) { return std::isnan(z); }));
 }
 
@@ -108,11 +110,9 @@ TEST(CheckDepths, DifferentLooksAreDropped) {
   const DenseScene scene = make_dense_scene();
   std::vector<DepthMap> maps = true_depth_maps(scene);
   for (std::uint32_t v = 1; v < 4; ++v) {
-    for (Rgb8& rgb : maps[v].rgb.values) {
-      for (std::uint8_t& c : rgb) c = static_cast<std::uint8_t>(255 - c);
-    }
+    for (std::uint8_t& g : maps[v].grey.values) g = static_cast<std::uint8_t>(255 - g);
   }
-  const CheckedDepth checked = check_depths(maps, 0, {});
+  const CheckedDepth checked = testing::checked(maps, 0);
   EXPECT_TRUE(std::ranges::all_of(checked.depth_m.values, [](float z) { return std::isnan(z); }));
 }
 
@@ -121,7 +121,7 @@ TEST(FuseDepthMaps, WeighsByInverseVariance) {
   std::vector<DepthMap> maps = {true_depth_map(scene, 0), true_depth_map(scene, 1)};
   for (float& z : maps[1].depth_m.values) z += 0.3F;  // a sheet 0.3 m below
   std::ranges::fill(maps[1].sigma_m.values, 0.5F);    // but a hundred times weaker
-  const PointCloud cloud = fuse_depth_maps(maps, 1.0, {.min_points_per_voxel = 1}, {});
+  const PointCloud cloud = testing::fused(maps, 1.0, 1);
   ASSERT_FALSE(cloud.empty());
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     const Eigen::Vector3f& p = cloud.points[i];
@@ -163,6 +163,18 @@ TEST(Densify, GivesTheSameBytesAtAnyThreadCount) {
   EXPECT_EQ(one->points, three->points);
   EXPECT_EQ(one->colors, three->colors);
   EXPECT_EQ(one->sigmas_m, three->sigmas_m);
+}
+
+TEST(Densify, LittleMemoryAndAScratchFolderGiveTheSameBytes) {
+  const DenseScene scene = make_dense_scene();
+  const DensifyOptions little{.max_memory_mib = 0};  // below what the option table lets a user set
+  const auto in_memory = densify(scene.photos, scene.reconstruction, {});
+  const auto on_disk = densify(
+      scene.photos, scene.reconstruction, little, {}, std::filesystem::temp_directory_path());
+  ASSERT_TRUE(in_memory && on_disk);
+  EXPECT_EQ(in_memory->points, on_disk->points);
+  EXPECT_EQ(in_memory->normals, on_disk->normals);
+  EXPECT_EQ(in_memory->sigmas_m, on_disk->sigmas_m);
 }
 
 TEST(Densify, OneRegisteredPhotoIsInsufficient) {

@@ -1,11 +1,13 @@
 #include "dense/census.hpp"
 #include "dense/semi_global_matching.hpp"
 #include "dense/stereo_matcher.hpp"
+#include "dense/texture_mask.hpp"
 #include "dense_box_scene.hpp"
 
 #include <hybridfusion/core/random.hpp>
 
 #include <bit>
+#include <cstring>
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -74,7 +76,12 @@ class Textbook {
       }
     }
     sums_.assign(costs_.size(), 0);
-    for (const auto& [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) add_paths(dx, dy);
+    for (const int dx : {-1, 0, 1}) {
+      for (const int dy : {-1, 0, 1}) {
+        const bool diagonal = dx != 0 && dy != 0;
+        if ((dx != 0 || dy != 0) && (options.diagonal_paths || !diagonal)) add_paths(dx, dy);
+      }
+    }
   }
 
   [[nodiscard]] ImagePlane<float> disparity() const {
@@ -165,9 +172,11 @@ class Textbook {
 };
 
 TEST(SemiGlobalMatching, EqualsTheTextbookOnSmallNoisyImages) {
-  const RectifiedImages pair = random_pair(30, 22, 13);
-  for (const int small : {3, 10}) {
-    const StereoOptions options{.smoothness_small = small, .smoothness_large = 6 * small};
+  const RectifiedImages pair = random_pair(50, 22, 37);  // more candidates than two vectors hold
+  for (const bool diagonal : {false, true}) {
+    const int small = diagonal ? 3 : 10;
+    const StereoOptions options{
+        .diagonal_paths = diagonal, .smoothness_small = small, .smoothness_large = 6 * small};
     const ImagePlane<float> fast = match_semi_globally(pair, full_ranges(pair), options);
     const ImagePlane<float> slow = Textbook(pair, options).disparity();
     int valid = 0;
@@ -179,6 +188,43 @@ TEST(SemiGlobalMatching, EqualsTheTextbookOnSmallNoisyImages) {
     }
     EXPECT_GT(valid, 300);  // the comparison is not about nothing
   }
+}
+
+TEST(SemiGlobalMatching, StripsOfRowsGiveTheSameBytesAsOnePiece) {
+  const RectifiedImages pair = random_pair(400, 120, 61);
+  const DisparityRanges ranges = full_ranges(pair);  // 8.8 MiB of costs
+  for (const bool diagonal : {false, true}) {
+    const StereoOptions whole{.diagonal_paths = diagonal};
+    const StereoOptions strips{.diagonal_paths = diagonal, .max_volume_mib = 1};
+    const auto a = match_semi_globally(pair, ranges, whole);
+    const auto b = match_semi_globally(pair, ranges, strips);
+    EXPECT_GT(std::ranges::count_if(a.values, [](float k) { return !std::isnan(k); }), 30000);
+    EXPECT_EQ(std::memcmp(a.values.data(), b.values.data(), a.values.size() * sizeof(float)), 0);
+  }
+}
+
+TEST(SemiGlobalMatching, NarrowRangesThatJumpGiveTheDisparityInsideThem) {
+  const RectifiedImages pair = random_pair(80, 40, 61);
+  DisparityRanges ranges = full_ranges(pair);
+  for (int y = 0; y < 40; ++y) {
+    for (int x = 0; x < 80; ++x) {
+      if (ranges.count.at(x, y) == 0) continue;
+      // The truth is 3 or 7; every other pixel looks near, some far above it.
+      ranges.low.at(x, y) = static_cast<std::int16_t>((x + y) % 5 == 4 ? 44 : (x + y) % 2);
+      ranges.count.at(x, y) = static_cast<std::int16_t>((x + y) % 5 == 4 ? 17 : 11 + x % 7);
+    }
+  }
+  const auto found = match_semi_globally(pair, ranges, {});
+  int right = 0;
+  int wrong = 0;
+  for (int y = 4; y < 36; ++y) {
+    for (int x = 6; x < 74; ++x) {
+      if (std::isnan(found.at(x, y)) || std::abs(x - 40) < 6 || (x + y) % 5 == 4) continue;
+      (std::abs(found.at(x, y) - (x > 40 ? 7.0F : 3.0F)) < 0.6F ? right : wrong) += 1;
+    }
+  }
+  EXPECT_GT(right, 1200);
+  EXPECT_LT(wrong, 0.01 * right);
 }
 
 TEST(Census, ComparesEveryNeighbourWithTheCentreAndIgnoresGainAndOffset) {
@@ -307,7 +353,7 @@ TEST(StereoMatcher, ABlankSkyAndPixelsWithoutDataGetNoDisparity) {
     for (int y = 0; y < 100; ++y) {
       for (int x = 0; x < 200; ++x) {
         if (std::isnan(found->at(x, y))) continue;
-        sky += y < 36 ? 1 : 0;  // the window reaches 3 rows down
+        sky += y < 39 ? 1 : 0;  // no window of the blank part takes the wall's disparity
         outside += y >= 40 && x >= 150 ? 1 : 0;
         inside += y >= 50 && y < 90 && x >= 10 && x < 140 ? 1 : 0;
       }
@@ -315,6 +361,25 @@ TEST(StereoMatcher, ABlankSkyAndPixelsWithoutDataGetNoDisparity) {
     EXPECT_EQ(sky, 0) << matcher;
     EXPECT_EQ(outside, 0) << matcher;
     EXPECT_GT(inside, 0.95 * 40 * 130) << matcher;
+  }
+}
+
+TEST(WeakTexture, ShadowNeedsLessContrastThanLightAndBlankIsWeakInBoth) {
+  Grey grey(60, 30, 20);
+  Random random(3, "shadow");
+  for (int y = 0; y < 30; ++y) {
+    for (int x = 0; x < 60; ++x) {
+      const int noise = static_cast<int>(random.index(5)) - 2;  // deviation 1.4
+      if (x < 20) grey.at(x, y) = static_cast<std::uint8_t>(40 + noise);
+      if (x >= 20 && x < 40) grey.at(x, y) = static_cast<std::uint8_t>(180 + noise);
+    }
+  }
+  const auto weak = weak_texture(grey, 2.0);
+  for (int y = 5; y < 25; ++y) {
+    for (int x = 5; x < 15; ++x) EXPECT_EQ(weak.at(x, y), 0);
+    for (int x = 25; x < 35; ++x) EXPECT_EQ(weak.at(x, y), 1);
+    // Next to the step at 40 the large window is not blank, the pixel's surroundings are.
+    for (int x = 41; x < 60; ++x) EXPECT_EQ(weak.at(x, y), 1);
   }
 }
 

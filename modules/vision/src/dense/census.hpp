@@ -13,7 +13,4 @@ inline constexpr int kCensusHalfHeight = 3;
 /// centre that is darker than it. Pixels beyond the border repeat the border.
 [[nodiscard]] ImagePlane<std::uint64_t> census_transform(const ImagePlane<std::uint8_t>& grey);
 
-/// Standard deviation of the grey values in the same window.
-[[nodiscard]] ImagePlane<float> window_deviation(const ImagePlane<std::uint8_t>& grey);
-
 }  // namespace hybridfusion

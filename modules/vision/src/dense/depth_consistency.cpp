@@ -1,138 +1,176 @@
 #include "depth_consistency.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace hybridfusion {
 namespace {
 
+constexpr int kPatch = 2;      // 5 x 5 pixels
+constexpr int kBandRows = 16;  // rows checked at a time: what the others show there fits the cache
+constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
+constexpr float kSameSurface = 0.01F;  // neighbouring depths of one surface seldom differ by more
+
 /// Another depth map as the reference sees it.
 struct OtherView {
   const DepthMap* map;
-  Rigid3 other_from_reference;
+  Eigen::Matrix3f rotation;  // other from reference
+  Eigen::Vector3f translation;
   bool is_partner;
 };
 
-std::vector<OtherView> others_of(std::span<const DepthMap> maps, const DepthMap& reference) {
+std::vector<OtherView> others_of(const DepthMap& reference, std::span<const DepthMap* const> maps) {
   std::vector<OtherView> others;
-  for (const std::uint32_t view : reference.overlapping) {
-    if (maps[view].depth_m.values.empty()) continue;
-    others.push_back(
-        {.map = &maps[view],
-         .other_from_reference = maps[view].enu_from_camera.inverse() * reference.enu_from_camera,
-         .is_partner = std::ranges::find(reference.partners, view) != reference.partners.end()});
+  for (const DepthMap* map : maps) {
+    const Rigid3 other_from_reference = map->enu_from_camera.inverse() * reference.enu_from_camera;
+    others.push_back({.map = map,
+                      .rotation = other_from_reference.rotation.toRotationMatrix().cast<float>(),
+                      .translation = other_from_reference.translation.cast<float>(),
+                      .is_partner = std::ranges::find(reference.partners, map->view) !=
+                                    reference.partners.end()});
   }
   return others;
 }
 
-struct Verdict {
-  std::vector<DepthGuess> supporting;
-  std::vector<const OtherView*> supporters;
-  int violations = 0;
+/// What another photo shows at a depth of the reference.
+struct Seen {
+  float grey = kNothing;     // at the point's pixel; nothing outside the photo
+  float depth_m = kNothing;  // carried over to the reference's own ray, when it supports
+  float sigma_m = 0.0F;
+  bool looks_through = false;
 };
 
-/// Compares a depth of the reference with what the other depth maps hold in its direction.
-void compare(const Eigen::Vector3d& ray,
-             const DepthGuess& own,
-             std::span<const OtherView> others,
-             const DepthCheckOptions& options,
-             Verdict& verdict) {
-  verdict.supporting.assign(1, own);
-  verdict.supporters.clear();
-  verdict.violations = 0;
-  const Eigen::Vector3d point = own.depth_m * ray;
-  for (const OtherView& other : others) {
-    const Eigen::Vector3d p = other.other_from_reference * point;
-    if (!(p.z() > 0.0)) continue;
-    const Eigen::Vector2d pixel = pixel_of(other.map->grid, p);
-    const std::optional<double> seen = depth_at(*other.map, pixel);
-    if (!seen) continue;
-    const auto column = static_cast<int>(std::lround(pixel.x()));
-    const auto row = static_cast<int>(std::lround(pixel.y()));
-    const double sigma = other.map->has_depth(column, row)
-                             ? static_cast<double>(other.map->sigma_m.at(column, row))
-                             : own.sigma_m;
-    const double step = std::max(own.sigma_m, sigma) / kDisparitySigmaPx;  // one pixel of disparity
-    const double tolerance =
-        std::min(options.max_relative_depth * p.z(), options.max_disparity_px * step);
-    const double gap = *seen - p.z();
-    if (std::abs(gap) <= tolerance) {
-      // The gap along the other ray, carried over to the own one.
-      const double own_gap = gap * (p.norm() / p.z()) / ray.norm();
-      verdict.supporting.push_back({own.depth_m + own_gap, sigma});
-      verdict.supporters.push_back(&other);
-    } else if (gap > 2.0 * tolerance) {
-      ++verdict.violations;  // the other photo looks through the point
-    }
+/// Grey value between pixels; nothing outside the photo.
+float grey_at(const DepthMap& map, float u, float v) {
+  const int x = static_cast<int>(std::floor(u));
+  const int y = static_cast<int>(std::floor(v));
+  if (x < 0 || y < 0 || x + 1 >= map.grey.width || y + 1 >= map.grey.height) return kNothing;
+  if (map.mask.at(x, y) == 0 || map.mask.at(x + 1, y + 1) == 0) return kNothing;
+  const std::uint8_t* top = map.grey.row(y) + x;
+  const std::uint8_t* bottom = map.grey.row(y + 1) + x;
+  const float s = u - static_cast<float>(x);
+  const float t = v - static_cast<float>(y);
+  return (1 - t) * ((1 - s) * static_cast<float>(top[0]) + s * static_cast<float>(top[1])) +
+         t * ((1 - s) * static_cast<float>(bottom[0]) + s * static_cast<float>(bottom[1]));
+}
+
+/// The rows of a band, and two above and below, as another photo shows them.
+class Band {
+ public:
+  Band(const DepthMap& reference, const DepthCheckOptions& options)
+      : reference_(reference), options_(options) {}
+
+  void look(const OtherView& other, int first_row, int end_row);
+  [[nodiscard]] const Seen& at(int x, int y) const { return seen_.at(x, y - first_row_); }
+  [[nodiscard]] const OtherView& other() const { return *other_; }
+  [[nodiscard]] std::optional<float> correlation(int x, int y) const;
+
+ private:
+  [[nodiscard]] Seen look_at(int x, int y) const;
+
+  const DepthMap& reference_;
+  const DepthCheckOptions& options_;
+  const OtherView* other_ = nullptr;
+  int first_row_ = 0;
+  ImagePlane<Seen> seen_;
+};
+
+void Band::look(const OtherView& other, int first_row, int end_row) {
+  other_ = &other;
+  first_row_ = first_row;
+  const int width = reference_.grid.width_px;
+  if (seen_.width != width || seen_.height < end_row - first_row) {
+    seen_ = {width, end_row - first_row};
+  }
+  for (int y = first_row; y < end_row; ++y) {
+    for (int x = 0; x < width; ++x) seen_.at(x, y - first_row) = look_at(x, y);
   }
 }
 
-constexpr int kPatch = 2;  // 5 x 5 pixels
-
-double grey_of(const Rgb8& c) {
-  return 0.299 * c[0] + 0.587 * c[1] + 0.114 * c[2];
-}
-
-/// Grey value between pixels; nothing outside the photo.
-std::optional<double> grey_at(const DepthMap& map, const Eigen::Vector2d& pixel) {
-  const int x = static_cast<int>(std::floor(pixel.x()));
-  const int y = static_cast<int>(std::floor(pixel.y()));
-  if (!map.rgb.contains(x, y) || !map.rgb.contains(x + 1, y + 1)) return std::nullopt;
-  if (map.mask.at(x, y) == 0 || map.mask.at(x + 1, y + 1) == 0) return std::nullopt;
-  const double u = pixel.x() - x;
-  const double v = pixel.y() - y;
-  return (1 - v) * ((1 - u) * grey_of(map.rgb.at(x, y)) + u * grey_of(map.rgb.at(x + 1, y))) +
-         v * ((1 - u) * grey_of(map.rgb.at(x, y + 1)) + u * grey_of(map.rgb.at(x + 1, y + 1)));
+Seen Band::look_at(int x, int y) const {
+  Seen seen;
+  const float depth = reference_.depth_m.at(x, y);
+  if (std::isnan(depth)) return seen;
+  const Eigen::Vector3f ray = ray_of(reference_.grid, {x, y}).cast<float>();
+  const Eigen::Vector3f p = other_->rotation * (depth * ray) + other_->translation;
+  if (!(p.z() > 0.0F)) return seen;
+  const DepthMap& map = *other_->map;
+  const auto focal = static_cast<float>(map.grid.focal_px);
+  const float u = focal * p.x() / p.z() + static_cast<float>(map.grid.principal_point_px.x());
+  const float v = focal * p.y() / p.z() + static_cast<float>(map.grid.principal_point_px.y());
+  // Also where the division overflowed: no pixel is that far out.
+  if (!(u > -1.0F && v > -1.0F && u < static_cast<float>(map.grid.width_px) &&
+        v < static_cast<float>(map.grid.height_px))) {
+    return seen;
+  }
+  seen.grey = grey_at(map, u, v);
+  const std::optional<double> theirs = depth_at(map, {u, v});
+  if (!theirs) return seen;
+  const int column = static_cast<int>(std::floor(u + 0.5F));
+  const int row = static_cast<int>(std::floor(v + 0.5F));
+  const float own_sigma = reference_.sigma_m.at(x, y);
+  const float sigma = map.has_depth(column, row) ? map.sigma_m.at(column, row) : own_sigma;
+  const float step =  // one pixel of disparity
+      std::max(own_sigma, sigma) / static_cast<float>(reference_.disparity_sigma_px);
+  const float tolerance = std::min(static_cast<float>(options_.max_relative_depth) * p.z(),
+                                   static_cast<float>(options_.max_disparity_px) * step);
+  const float gap = static_cast<float>(*theirs) - p.z();
+  if (std::abs(gap) <= tolerance) {
+    // The gap along the other ray, carried over to the own one.
+    seen.depth_m = depth + gap * (p.norm() / p.z()) / ray.norm();
+    seen.sigma_m = sigma;
+  } else {
+    seen.looks_through = gap > 2.0F * tolerance;
+  }
+  return seen;
 }
 
 /// Zero-mean normalised cross-correlation of the 5 x 5 pixels around (x, y) with where the other
-/// photo sees their points; the depth of each pixel is its own where it has one (slanted windows).
-std::optional<double> correlation(
-    const DepthMap& reference, int x, int y, double depth, const OtherView& other) {
-  constexpr double kSameSurface = 0.01;
-  double n = 0, a = 0, b = 0, aa = 0, bb = 0, ab = 0;
-  for (int dy = -kPatch; dy <= kPatch; ++dy) {
-    for (int dx = -kPatch; dx <= kPatch; ++dx) {
-      const int u = x + dx;
-      const int v = y + dy;
-      if (!reference.rgb.contains(u, v)) return std::nullopt;
-      double z = depth;
-      if (reference.has_depth(u, v) &&
-          std::abs(reference.depth_m.at(u, v) - depth) < kSameSurface * depth) {
-        z = reference.depth_m.at(u, v);
-      }
-      const Eigen::Vector3d p =
-          other.other_from_reference * Eigen::Vector3d(z * ray_of(reference.grid, {u, v}));
-      if (!(p.z() > 0.0)) return std::nullopt;
-      const std::optional<double> theirs = grey_at(*other.map, pixel_of(other.map->grid, p));
-      if (!theirs) return std::nullopt;
-      const double ours = grey_of(reference.rgb.at(u, v));
-      n += 1;
+/// photo shows their points. Each pixel counts with its own depth (slanted windows); those without
+/// one, or on another surface, do not count. Nothing when few are left.
+std::optional<float> Band::correlation(int x, int y) const {
+  constexpr float kMinCount = 9.0F;
+  const float depth = reference_.depth_m.at(x, y);
+  const auto middle = static_cast<float>(reference_.grey.at(x, y));
+  const int begin = std::max(0, x - kPatch);
+  const int end = std::min(reference_.grid.width_px, x + kPatch + 1);
+  float n = 0, a = 0, b = 0, aa = 0, bb = 0, ab = 0;
+  for (int v = std::max(0, y - kPatch); v < std::min(reference_.grid.height_px, y + kPatch + 1);
+       ++v) {
+    const Seen* seen = seen_.row(v - first_row_);
+    const float* depths = reference_.depth_m.row(v);
+    const std::uint8_t* grey = reference_.grey.row(v);
+    for (int u = begin; u < end; ++u) {
+      // False for NaN.
+      const bool counts =
+          std::abs(depths[u] - depth) < kSameSurface * depth && seen[u].grey >= 0.0F;
+      const float weight = counts ? 1.0F : 0.0F;
+      const float ours = counts ? static_cast<float>(grey[u]) - middle : 0.0F;
+      const float theirs = counts ? seen[u].grey - middle : 0.0F;
+      n += weight;
       a += ours;
-      b += *theirs;
+      b += theirs;
       aa += ours * ours;
-      bb += *theirs * *theirs;
-      ab += ours * *theirs;
+      bb += theirs * theirs;
+      ab += ours * theirs;
     }
   }
-  const double variance = (aa - a * a / n) * (bb - b * b / n);
-  return variance > 1e-9 ? (ab - a * b / n) / std::sqrt(variance) : 0.0;
+  if (n < kMinCount) return std::nullopt;
+  const float variance = (aa - a * a / n) * (bb - b * b / n);
+  return variance > 1e-3F ? (ab - a * b / n) / std::sqrt(variance) : 0.0F;
 }
 
 /// Photos that were not matched with the reference judge first; its partners only where no other
 /// photo sees the point.
-bool looks_alike(const DepthMap& reference,
-                 int x,
-                 int y,
-                 double depth,
-                 const std::vector<const OtherView*>& supporters,
-                 double min_correlation) {
+bool looks_alike(std::span<const Band> bands, int x, int y, double min_correlation) {
   constexpr int kMaxJudges = 3;
   for (const bool partners : {false, true}) {
     int judges = 0;
-    for (const OtherView* other : supporters) {
-      if (other->is_partner != partners || judges == kMaxJudges) continue;
-      const std::optional<double> value = correlation(reference, x, y, depth, *other);
+    for (const Band& band : bands) {
+      if (band.other().is_partner != partners || judges == kMaxJudges) continue;
+      if (std::isnan(band.at(x, y).depth_m)) continue;
+      const std::optional<float> value = band.correlation(x, y);
       if (!value) continue;
       if (*value >= min_correlation) return true;
       ++judges;
@@ -142,28 +180,50 @@ bool looks_alike(const DepthMap& reference,
   return false;
 }
 
+/// The depth at a pixel after the check; nothing when it fails.
+std::optional<DepthGuess> checked_depth(const DepthMap& reference,
+                                        std::span<const Band> bands,
+                                        int x,
+                                        int y,
+                                        const DepthCheckOptions& options,
+                                        std::vector<DepthGuess>& supporting) {
+  supporting.assign(1, {reference.depth_m.at(x, y), reference.sigma_m.at(x, y)});
+  int violations = 0;
+  for (const Band& band : bands) {
+    const Seen& seen = band.at(x, y);
+    if (seen.looks_through) ++violations;
+    if (!std::isnan(seen.depth_m)) supporting.push_back({seen.depth_m, seen.sigma_m});
+  }
+  const int support = static_cast<int>(supporting.size()) - 1;
+  if (support < options.min_supporting_views || support <= violations) return std::nullopt;
+  if (!looks_alike(bands, x, y, options.min_correlation)) return std::nullopt;
+  return merge_guesses(supporting);
+}
+
 }  // namespace
 
-CheckedDepth check_depths(std::span<const DepthMap> maps,
-                          std::uint32_t reference_view,
+CheckedDepth check_depths(const DepthMap& reference,
+                          std::span<const DepthMap* const> maps,
                           const DepthCheckOptions& options) {
-  const DepthMap& reference = maps[reference_view];
-  const std::vector<OtherView> others = others_of(maps, reference);
-  CheckedDepth result{.depth_m = reference.depth_m, .sigma_m = reference.sigma_m};
-  Verdict verdict;
-  for (int y = 0; y < reference.grid.height_px; ++y) {
-    for (int x = 0; x < reference.grid.width_px; ++x) {
-      if (!reference.has_depth(x, y)) continue;
-      const DepthGuess own{reference.depth_m.at(x, y), reference.sigma_m.at(x, y)};
-      compare(ray_of(reference.grid, {x, y}), own, others, options, verdict);
-      const int support = static_cast<int>(verdict.supporters.size());
-      const bool keep =
-          support >= options.min_supporting_views && support > verdict.violations &&
-          looks_alike(reference, x, y, own.depth_m, verdict.supporters, options.min_correlation);
-      const DepthGuess merged = keep ? merge_guesses(verdict.supporting) : own;
-      result.depth_m.at(x, y) =
-          keep ? static_cast<float>(merged.depth_m) : std::numeric_limits<float>::quiet_NaN();
-      result.sigma_m.at(x, y) = static_cast<float>(merged.sigma_m);
+  const std::vector<OtherView> others = others_of(reference, maps);
+  const int width = reference.grid.width_px;
+  const int height = reference.grid.height_px;
+  CheckedDepth result{.depth_m = {width, height, kNothing}, .sigma_m = {width, height, 0.0F}};
+  std::vector<Band> bands(others.size(), Band(reference, options));
+  std::vector<DepthGuess> supporting;
+  for (int begin = 0; begin < height; begin += kBandRows) {
+    const int end = std::min(height, begin + kBandRows);
+    for (std::size_t i = 0; i < others.size(); ++i) {
+      bands[i].look(others[i], std::max(0, begin - kPatch), std::min(height, end + kPatch));
+    }
+    for (int y = begin; y < end; ++y) {
+      for (int x = 0; x < width; ++x) {
+        if (!reference.has_depth(x, y)) continue;
+        const auto depth = checked_depth(reference, bands, x, y, options, supporting);
+        if (!depth) continue;
+        result.depth_m.at(x, y) = static_cast<float>(depth->depth_m);
+        result.sigma_m.at(x, y) = static_cast<float>(depth->sigma_m);
+      }
     }
   }
   return result;

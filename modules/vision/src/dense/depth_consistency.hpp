@@ -13,14 +13,14 @@ namespace hybridfusion {
 /// other does. What stays becomes the inverse-variance mean of the agreeing depths: surfaces seen
 /// from several photos are one sheet, not several.
 ///
-/// @param maps   One per view; views without depths are empty.
-/// @returns      The reference's depth and sigma planes after the check.
+/// @param others  Maps of the photos that see the same, those that judge first in front.
+/// @returns       The reference's depth and sigma planes after the check.
 struct CheckedDepth {
   ImagePlane<float> depth_m = {};
   ImagePlane<float> sigma_m = {};
 };
-[[nodiscard]] CheckedDepth check_depths(std::span<const DepthMap> maps,
-                                        std::uint32_t reference,
+[[nodiscard]] CheckedDepth check_depths(const DepthMap& reference,
+                                        std::span<const DepthMap* const> others,
                                         const DepthCheckOptions& options);
 
 }  // namespace hybridfusion

@@ -1,21 +1,27 @@
 #pragma once
 
 #include "depth_map.hpp"
+#include "voxel_table.hpp"
 
 #include <hybridfusion/core/point_cloud.hpp>
 #include <hybridfusion/core/run_context.hpp>
-#include <hybridfusion/vision/densify_options.hpp>
-
-#include <span>
 
 namespace hybridfusion {
 
-/// Merges checked depth maps in voxels of `voxel_m`: positions by inverse variance, mean colour,
-/// `confidences` = number of depths. Drops thinly supported voxels and statistical outliers;
-/// normals come from the neighbourhood, turned towards the photos. Ascending voxel order.
-[[nodiscard]] PointCloud fuse_depth_maps(std::span<const DepthMap> maps,
-                                         double voxel_m,
-                                         const DensifyOptions& options,
-                                         const RunContext& ctx);
+/// Merges checked depth maps in voxels: positions by inverse variance, mean colour, `confidences` =
+/// number of depths.
+class DepthFusion {
+ public:
+  explicit DepthFusion(double voxel_m);
+  void add(const DepthMap& map);
+  /// The cloud of all maps, in ascending voxel order. Voxels of fewer than `min_depths` depths and
+  /// statistical outliers are dropped; normals come from the neighbourhood, turned towards the
+  /// photos. Leaves the object empty.
+  [[nodiscard]] PointCloud finish(int min_depths, const RunContext& ctx);
+
+ private:
+  double voxel_m_;
+  VoxelTable voxels_ = {};
+};
 
 }  // namespace hybridfusion

@@ -5,30 +5,42 @@
 
 namespace hybridfusion {
 
+ImagePlane<std::uint8_t> grey_plane(const ImagePlane<Rgb8>& rgb) {
+  ImagePlane<std::uint8_t> grey(rgb.width, rgb.height);
+  // Weights of ITU-R BT.601 in 1/65536.
+  std::ranges::transform(rgb.values, grey.values.begin(), [](const Rgb8& c) {
+    return static_cast<std::uint8_t>((19595 * c[0] + 38470 * c[1] + 7471 * c[2] + 32768) >> 16);
+  });
+  return grey;
+}
+
 std::optional<double> depth_at(const DepthMap& map, const Eigen::Vector2d& pixel) {
   // Neighbouring depths of one surface seldom differ by more.
   constexpr float kSameSurface = 0.01F;
   const int x = static_cast<int>(std::floor(pixel.x()));
   const int y = static_cast<int>(std::floor(pixel.y()));
-  if (map.has_depth(x, y) && map.has_depth(x + 1, y) && map.has_depth(x, y + 1) &&
-      map.has_depth(x + 1, y + 1)) {
-    const auto z = [&](int u, int v) { return map.depth_m.at(x + u, y + v); };
-    const auto [low, high] = std::minmax({z(0, 0), z(1, 0), z(0, 1), z(1, 1)});
-    if (high - low < kSameSurface * high) {
+  if (x >= 0 && y >= 0 && x + 1 < map.depth_m.width && y + 1 < map.depth_m.height) {
+    const float* top = map.depth_m.row(y) + x;
+    const float* bottom = map.depth_m.row(y + 1) + x;
+    const float low = std::min(std::min(top[0], top[1]), std::min(bottom[0], bottom[1]));
+    const float high = std::max(std::max(top[0], top[1]), std::max(bottom[0], bottom[1]));
+    const bool all_valid = !std::isnan(top[0] + top[1] + bottom[0] + bottom[1]);
+    if (all_valid && high - low < kSameSurface * high) {
       const double u = pixel.x() - x;
       const double v = pixel.y() - y;
-      return (1 - v) * ((1 - u) * z(0, 0) + u * z(1, 0)) + v * ((1 - u) * z(0, 1) + u * z(1, 1));
+      return (1 - v) * ((1 - u) * top[0] + u * top[1]) + v * ((1 - u) * bottom[0] + u * bottom[1]);
     }
   }
-  const int nearest_x = static_cast<int>(std::lround(pixel.x()));
-  const int nearest_y = static_cast<int>(std::lround(pixel.y()));
+  const int nearest_x = static_cast<int>(std::floor(pixel.x() + 0.5));
+  const int nearest_y = static_cast<int>(std::floor(pixel.y() + 0.5));
   if (!map.has_depth(nearest_x, nearest_y)) return std::nullopt;
   return map.depth_m.at(nearest_x, nearest_y);
 }
 
 DepthGuess merge_guesses(const std::vector<DepthGuess>& guesses) {
   const auto agree = [](const DepthGuess& a, const DepthGuess& b) {
-    return std::abs(a.depth_m - b.depth_m) <= 3.0 * std::hypot(a.sigma_m, b.sigma_m);
+    const double gap = a.depth_m - b.depth_m;
+    return gap * gap <= 9.0 * (a.sigma_m * a.sigma_m + b.sigma_m * b.sigma_m);
   };
   const auto weight = [](const DepthGuess& g) { return 1.0 / (g.sigma_m * g.sigma_m); };
   const DepthGuess* best = nullptr;
@@ -48,6 +60,12 @@ DepthGuess merge_guesses(const std::vector<DepthGuess>& guesses) {
     if (agree(g, *best)) sum += weight(g) * g.depth_m;
   }
   return {.depth_m = sum / best_support, .sigma_m = 1.0 / std::sqrt(best_support)};
+}
+
+void drop_far_depths(DepthMap& map, double max_depth_m) {
+  for (float& depth : map.depth_m.values) {
+    if (depth > max_depth_m) depth = std::numeric_limits<float>::quiet_NaN();
+  }
 }
 
 void erode_depth_edges(DepthMap& map, double edge_step, int margin_px) {

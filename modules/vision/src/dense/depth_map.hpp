@@ -16,18 +16,16 @@
 
 namespace hybridfusion {
 
-/// Standard deviation of a matched disparity after sub-pixel refinement; so chosen that errors
-/// against true surfaces are about one standard deviation.
-inline constexpr double kDisparitySigmaPx = 0.25;
-
 /// Depths of one photo on its undistorted grid.
 struct DepthMap {
   std::uint32_t view = 0;
   PinholeGrid grid = {};
   Rigid3 enu_from_camera = {};
-  ImagePlane<float> depth_m = {};  ///< Along the optical axis; NaN where there is none.
+  double disparity_sigma_px = 0.25;  ///< Of one pair's disparities: what `sigma_m` starts from.
+  ImagePlane<float> depth_m = {};    ///< Along the optical axis; NaN where there is none.
   ImagePlane<float> sigma_m = {};
   ImagePlane<Rgb8> rgb = {};
+  ImagePlane<std::uint8_t> grey = {};           ///< grey_plane(rgb)
   ImagePlane<std::uint8_t> mask = {};           ///< 0 where the photo has no data.
   std::vector<std::uint32_t> partners = {};     ///< Views that it was matched with.
   std::vector<std::uint32_t> overlapping = {};  ///< Views that see the same points, best first.
@@ -39,6 +37,8 @@ struct DepthMap {
     return enu_from_camera * Eigen::Vector3d(depth * ray_of(grid, {x, y}));
   }
 };
+
+[[nodiscard]] ImagePlane<std::uint8_t> grey_plane(const ImagePlane<Rgb8>& rgb);
 
 /// Depth at a position between pixels: bilinear over four valid depths of one surface, else the
 /// nearest pixel's. Nothing when that has none.
@@ -53,6 +53,9 @@ struct DepthGuess {
 /// Inverse-variance mean of the guesses that agree with the best supported one (within three
 /// standard deviations of their difference). Ties go to the first. @pre not empty
 [[nodiscard]] DepthGuess merge_guesses(const std::vector<DepthGuess>& guesses);
+
+/// Drops depths beyond `max_depth_m`.
+void drop_far_depths(DepthMap& map, double max_depth_m);
 
 /// Drops depths within `margin_px` of a step by more than the share `edge_step` of the depth.
 void erode_depth_edges(DepthMap& map, double edge_step, int margin_px);

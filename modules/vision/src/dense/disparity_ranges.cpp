@@ -23,6 +23,23 @@ void merge(int& low, int& high, int other_low, int other_high) {
   high = high == kUnknown ? other_high : std::max(high, other_high);
 }
 
+/// Each pixel's span merged with those up to kWindow away along one axis.
+Span widened(const Span& known, int step_x, int step_y) {
+  Span result = known;
+  const int width = known.low.width;
+  const int height = known.low.height;
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      for (int i = -kWindow; i <= kWindow; ++i) {
+        const int u = std::clamp(x + i * step_x, 0, width - 1);
+        const int v = std::clamp(y + i * step_y, 0, height - 1);
+        merge(result.low.at(x, y), result.high.at(x, y), known.low.at(u, v), known.high.at(u, v));
+      }
+    }
+  }
+  return result;
+}
+
 Span spans_of(const ImagePlane<float>& coarse) {
   Span known{.low = {coarse.width, coarse.height, kUnknown},
              .high = {coarse.width, coarse.height, kUnknown}};
@@ -31,17 +48,7 @@ Span spans_of(const ImagePlane<float>& coarse) {
     known.low.values[i] = static_cast<int>(std::floor(coarse.values[i]));
     known.high.values[i] = static_cast<int>(std::ceil(coarse.values[i]));
   }
-  Span result = known;
-  for (int y = 0; y < coarse.height; ++y) {
-    for (int x = 0; x < coarse.width; ++x) {
-      for (int v = std::max(0, y - kWindow); v <= std::min(coarse.height - 1, y + kWindow); ++v) {
-        for (int u = std::max(0, x - kWindow); u <= std::min(coarse.width - 1, x + kWindow); ++u) {
-          merge(result.low.at(x, y), result.high.at(x, y), known.low.at(u, v), known.high.at(u, v));
-        }
-      }
-    }
-  }
-  return result;
+  return widened(widened(known, 1, 0), 0, 1);
 }
 
 /// Gives an unknown pixel the span of the nearest known ones along a line.

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
+#include <vector>
 
 #include <opencv2/imgproc.hpp>
 
@@ -40,32 +43,91 @@ WorkImage reduce(const Image8& photo, const CameraIntrinsics& intrinsics, int ma
   } else {
     result.rgb = rgb.clone();
   }
+  cv::cvtColor(result.rgb, result.grey, cv::COLOR_RGB2GRAY);
   result.intrinsics = scaled(intrinsics, size.width, size.height);
   return result;
 }
 
-WarpedImage warp(const WorkImage& image,
+namespace {
+
+/// Where the centre of a grid pixel lies in the photo; nothing behind the camera.
+std::optional<Eigen::Vector2d> source_of(const CameraIntrinsics& camera,
+                                         const PinholeGrid& grid,
+                                         const Eigen::Matrix3d& camera_from_grid,
+                                         int x,
+                                         int y) {
+  const Eigen::Vector3d ray = camera_from_grid * ray_of(grid, {x, y});
+  if (!(ray.z() > 0.1)) return std::nullopt;
+  return project(camera, ray);
+}
+
+constexpr int kLatticeStep = 4;
+
+/// Source positions at every fourth pixel of a grid. Between them they are interpolated: at usual
+/// focal lengths the curvature of distortion and perspective leaves less than 1/200 px.
+struct Lattice {
+  int columns = 0;
+  std::vector<cv::Vec2f> nodes = {};
+
+  Lattice(const CameraIntrinsics& camera,
+          const PinholeGrid& grid,
+          const Eigen::Matrix3d& camera_from_grid)
+      : columns(grid.width_px / kLatticeStep + 2) {
+    const int rows = grid.height_px / kLatticeStep + 2;
+    nodes.reserve(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
+    for (int j = 0; j < rows; ++j) {
+      for (int i = 0; i < columns; ++i) {
+        const auto at =
+            source_of(camera, grid, camera_from_grid, i * kLatticeStep, j * kLatticeStep);
+        nodes.push_back(at ? cv::Vec2f(static_cast<float>(at->x()), static_cast<float>(at->y()))
+                           : cv::Vec2f::all(std::numeric_limits<float>::quiet_NaN()));
+      }
+    }
+  }
+  [[nodiscard]] const cv::Vec2f* row(int j) const {
+    return nodes.data() + static_cast<std::size_t>(j) * static_cast<std::size_t>(columns);
+  }
+};
+
+}  // namespace
+
+WarpMap warp_map(const CameraIntrinsics& camera,
                  const PinholeGrid& grid,
                  const Eigen::Quaterniond& camera_from_grid) {
-  const CameraIntrinsics& c = image.intrinsics;
   const Eigen::Matrix3d rotation = camera_from_grid.toRotationMatrix();
-  cv::Mat map(grid.height_px, grid.width_px, CV_32FC2);
-  WarpedImage result;
-  result.mask = cv::Mat(grid.height_px, grid.width_px, CV_8UC1, cv::Scalar(0));
+  const Lattice lattice(camera, grid, rotation);
+  WarpMap result{.source = cv::Mat(grid.height_px, grid.width_px, CV_32FC2),
+                 .mask = cv::Mat(grid.height_px, grid.width_px, CV_8UC1)};
+  const auto last_x = static_cast<float>(camera.width_px - 1);
+  const auto last_y = static_cast<float>(camera.height_px - 1);
   for (int y = 0; y < grid.height_px; ++y) {
-    auto* source = map.ptr<cv::Vec2f>(y);
+    const cv::Vec2f* above = lattice.row(y / kLatticeStep);
+    const cv::Vec2f* below = lattice.row(y / kLatticeStep + 1);
+    const float t = static_cast<float>(y % kLatticeStep) / kLatticeStep;
+    auto* source = result.source.ptr<cv::Vec2f>(y);
     auto* mask = result.mask.ptr<std::uint8_t>(y);
     for (int x = 0; x < grid.width_px; ++x) {
-      const Eigen::Vector3d ray = rotation * ray_of(grid, {x, y});
-      Eigen::Vector2d pixel(-10.0, -10.0);
-      if (ray.z() > 0.1) pixel = project(c, ray);
-      source[x] = {static_cast<float>(pixel.x()), static_cast<float>(pixel.y())};
-      const bool inside = pixel.x() >= 0.0 && pixel.y() >= 0.0 && pixel.x() <= c.width_px - 1 &&
-                          pixel.y() <= c.height_px - 1;
+      const int i = x / kLatticeStep;
+      const float s = static_cast<float>(x % kLatticeStep) / kLatticeStep;
+      const cv::Vec2f left = above[i] + t * (below[i] - above[i]);
+      const cv::Vec2f right = above[i + 1] + t * (below[i + 1] - above[i + 1]);
+      cv::Vec2f at = left + s * (right - left);
+      if (std::isnan(at[0])) {
+        const auto exact =
+            source_of(camera, grid, rotation, x, y).value_or(Eigen::Vector2d(-9, -9));
+        at = {static_cast<float>(exact.x()), static_cast<float>(exact.y())};
+      }
+      source[x] = at;
+      const bool inside = at[0] >= 0.0F && at[1] >= 0.0F && at[0] <= last_x && at[1] <= last_y;
       mask[x] = inside ? 255 : 0;
     }
   }
-  cv::remap(image.rgb, result.rgb, map, cv::noArray(), cv::INTER_LINEAR, cv::BORDER_REPLICATE);
+  return result;
+}
+
+cv::Mat resample(const cv::Mat& photo, const WarpMap& map) {
+  cv::Mat result;
+  cv::remap(photo, result, map.source, cv::noArray(), cv::INTER_LINEAR, cv::BORDER_REPLICATE);
   return result;
 }
 

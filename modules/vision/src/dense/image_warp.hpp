@@ -10,9 +10,10 @@
 
 namespace hybridfusion {
 
-/// A photo as a work image: reduced to the size at which it is matched, RGB.
+/// A photo as a work image: reduced to the size at which it is matched.
 struct WorkImage {
   cv::Mat rgb = {};
+  cv::Mat grey = {};
   CameraIntrinsics intrinsics = {};  ///< Of the reduced image.
 };
 
@@ -26,15 +27,18 @@ struct WorkImage {
                                       int width_px,
                                       int height_px);
 
-/// Resamples the photo on an ideal grid that is turned against the camera: distortion and rotation
-/// in one step. Where the photo has no data, `mask` is 0.
-struct WarpedImage {
-  cv::Mat rgb = {};
-  cv::Mat mask = {};  ///< 8 bit, 255 where there is data.
+/// Where the pixels of an ideal grid that is turned against the camera lie in the photo: distortion
+/// and rotation in one step. Where the photo has no data, `mask` is 0.
+struct WarpMap {
+  cv::Mat source = {};  ///< Two floats a pixel: its position in the photo.
+  cv::Mat mask = {};    ///< 8 bit, 255 where there is data.
 };
-[[nodiscard]] WarpedImage warp(const WorkImage& image,
+[[nodiscard]] WarpMap warp_map(const CameraIntrinsics& camera,
                                const PinholeGrid& grid,
                                const Eigen::Quaterniond& camera_from_grid);
+
+/// The photo at the positions of the map, bilinear.
+[[nodiscard]] cv::Mat resample(const cv::Mat& photo, const WarpMap& map);
 
 /// The undistorted grid that covers a photo at about its own resolution, same axes as the camera.
 [[nodiscard]] PinholeGrid undistorted_grid(const CameraIntrinsics& intrinsics);

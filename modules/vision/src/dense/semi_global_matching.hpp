@@ -31,8 +31,9 @@ struct DisparityRanges {
 [[nodiscard]] DisparityRanges ranges_around(const ImagePlane<float>& coarse,
                                             const RectifiedImages& images);
 
-/// Semi-global matching (Hirschmueller, PAMI 2008) of census codes along four paths, with
-/// left-right check, uniqueness and sub-pixel interpolation.
+/// Semi-global matching (Hirschmueller, PAMI 2008) of census codes along four or eight paths, with
+/// left-right check, uniqueness and sub-pixel interpolation. Works in strips of rows within
+/// `max_volume_mib`; the result does not depend on them.
 /// @returns Disparity index a pixel of the left image; NaN where there is none.
 [[nodiscard]] ImagePlane<float> match_semi_globally(const RectifiedImages& images,
                                                     const DisparityRanges& ranges,

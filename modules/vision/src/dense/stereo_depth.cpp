@@ -11,7 +11,6 @@
 namespace hybridfusion {
 namespace {
 
-constexpr double kMaxVerticalParallaxPx = 1.0;
 constexpr std::size_t kMaxOverlapping = 10;
 constexpr double kMaxDisparities = 512.0;
 
@@ -94,20 +93,15 @@ RectifiedImages rectified_images(const Pair& pair,
                                  const WorkImage& first,
                                  const WorkImage& second,
                                  const RectifiedGeometry& geometry) {
-  const auto warped =
-      [&](const PosedCamera& camera, const WorkImage& image, const PinholeGrid& grid) {
-        return warp(
-            image, grid, camera.enu_from_camera.rotation.conjugate() * geometry.enu_from_rectified);
-      };
-  const auto grey = [](const cv::Mat& rgb) {
-    cv::Mat result;
-    cv::cvtColor(rgb, result, cv::COLOR_RGB2GRAY);
-    return plane_of(result);
+  const auto map = [&](const PosedCamera& camera, const PinholeGrid& grid) {
+    return warp_map(camera.intrinsics,
+                    grid,
+                    camera.enu_from_camera.rotation.conjugate() * geometry.enu_from_rectified);
   };
-  const WarpedImage left = warped(pair.first, first, geometry.left);
-  const WarpedImage right = warped(pair.second, second, geometry.right);
-  return {.left = grey(left.rgb),
-          .right = grey(right.rgb),
+  const WarpMap left = map(pair.first, geometry.left);
+  const WarpMap right = map(pair.second, geometry.right);
+  return {.left = plane_of(resample(first.grey, left)),
+          .right = plane_of(resample(second.grey, right)),
           .left_mask = plane_of(left.mask),
           .right_mask = plane_of(right.mask),
           .num_disparities = geometry.num_disparities};
@@ -134,17 +128,24 @@ float sample(const ImagePlane<float>& disparity, double u, double v) {
   return (1 - t) * ((1 - s) * a + s * b) + t * ((1 - s) * c + s * d);
 }
 
-using Guesses = std::vector<std::vector<DepthGuess>>;
+/// Depths that one partner gave, on the reference photo's grid; NaN where it gave none.
+struct PairDepths {
+  ImagePlane<float> depth_m;
+  ImagePlane<float> sigma_m;
+};
 
 /// Moves the disparities of a pair onto the reference photo's grid.
-void add_guesses(const DepthMap& map,
-                 const RectifiedGeometry& geometry,
-                 const ImagePlane<float>& disparity,
-                 Guesses& guesses) {
+PairDepths pair_depths(const DepthMap& map,
+                       const RectifiedGeometry& geometry,
+                       const ImagePlane<float>& disparity) {
+  const int width = map.grid.width_px;
+  const int height = map.grid.height_px;
+  PairDepths result{.depth_m = {width, height, std::numeric_limits<float>::quiet_NaN()},
+                    .sigma_m = {width, height}};
   const Eigen::Matrix3d rectified_from_camera =
       (geometry.enu_from_rectified.conjugate() * map.enu_from_camera.rotation).toRotationMatrix();
-  for (int y = 0; y < map.grid.height_px; ++y) {
-    for (int x = 0; x < map.grid.width_px; ++x) {
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
       const Eigen::Vector3d ray = rectified_from_camera * ray_of(map.grid, {x, y});
       if (!(ray.z() > 0.0)) continue;
       const Eigen::Vector2d pixel = pixel_of(geometry.left, ray);
@@ -153,9 +154,27 @@ void add_guesses(const DepthMap& map,
       const double z = geometry.depth_m(k);  // along the rectified axis
       // sigma_z = z^2 / (f B) sigma_d; both scale by 1 / ray.z() to the photo's own axis.
       const double sigma =
-          z * z / (geometry.left.focal_px * geometry.baseline_m) * kDisparitySigmaPx;
-      guesses[map.depth_m.offset(x, y)].push_back({z / ray.z(), sigma / ray.z()});
+          z * z / (geometry.left.focal_px * geometry.baseline_m) * map.disparity_sigma_px;
+      result.depth_m.at(x, y) = static_cast<float>(z / ray.z());
+      result.sigma_m.at(x, y) = static_cast<float>(sigma / ray.z());
     }
+  }
+  return result;
+}
+
+/// Inverse-variance mean of what the partners agree on, pixel by pixel.
+void merge_pairs(const std::vector<PairDepths>& pairs, DepthMap& map) {
+  std::vector<DepthGuess> guesses;
+  for (std::size_t i = 0; i < map.depth_m.values.size(); ++i) {
+    guesses.clear();
+    for (const PairDepths& pair : pairs) {
+      if (std::isnan(pair.depth_m.values[i])) continue;
+      guesses.push_back({pair.depth_m.values[i], pair.sigma_m.values[i]});
+    }
+    if (guesses.empty()) continue;
+    const DepthGuess merged = merge_guesses(guesses);
+    map.depth_m.values[i] = static_cast<float>(merged.depth_m);
+    map.sigma_m.values[i] = static_cast<float>(merged.sigma_m);
   }
 }
 
@@ -170,66 +189,70 @@ DepthMap empty_map(const Reconstruction& reconstruction,
   map.depth_m = {map.grid.width_px, map.grid.height_px, std::numeric_limits<float>::quiet_NaN()};
   map.sigma_m = {map.grid.width_px, map.grid.height_px, 0.0F};
   map.rgb = {map.grid.width_px, map.grid.height_px};
-  const WarpedImage undistorted = warp(image, map.grid, Eigen::Quaterniond::Identity());
-  map.mask = plane_of(undistorted.mask);
+  const WarpMap from_photo = warp_map(image.intrinsics, map.grid, Eigen::Quaterniond::Identity());
+  const cv::Mat undistorted = resample(image.rgb, from_photo);
+  map.mask = plane_of(from_photo.mask);
   for (int y = 0; y < map.grid.height_px; ++y) {
-    const auto* row = undistorted.rgb.ptr<cv::Vec3b>(y);
+    const auto* row = undistorted.ptr<cv::Vec3b>(y);
     for (int x = 0; x < map.grid.width_px; ++x)
       map.rgb.at(x, y) = {row[x][0], row[x][1], row[x][2]};
   }
+  map.grey = grey_plane(map.rgb);
   return map;
+}
+
+/// Depths of the reference photo from one partner. @returns why there are none.
+Expected<PairDepths> match_partner(const Reconstruction& reconstruction,
+                                   const DepthMap& map,
+                                   const StereoPartner& partner,
+                                   const WorkImage& first,
+                                   const WorkImage& second,
+                                   const StereoOptions& options) {
+  const Pair pair{.first = posed(reconstruction, map.view, first),
+                  .second = posed(reconstruction, partner.view, second)};
+  HF_TRY(const RectificationRequest request, request_for(reconstruction, partner, pair));
+  HF_TRY(const RectifiedGeometry geometry, rectify(pair.first, pair.second, request));
+  const double parallax = vertical_parallax_px(reconstruction, map.view, partner, geometry);
+  if (!(parallax <= options.max_vertical_parallax_px)) {
+    return fail(ErrorCode::kDegenerate,
+                fmt::format("rows do not correspond: median vertical parallax {:.2f} px, more than "
+                            "stereo.max_vertical_parallax_px = {:.2f}",
+                            parallax,
+                            options.max_vertical_parallax_px));
+  }
+  HF_TRY(const ImagePlane<float> disparity,
+         match_pair(rectified_images(pair, first, second, geometry), options));
+  return pair_depths(map, geometry, disparity);
 }
 
 }  // namespace
 
 StereoDepthResult stereo_depth(const Reconstruction& reconstruction,
                                std::uint32_t reference,
-                               std::span<const WorkImage> images,
+                               WorkImages& images,
                                const DensifyOptions& options) {
-  StereoDepthResult result{.map = empty_map(reconstruction, reference, images[reference])};
-  DepthMap& map = result.map;
-  Guesses guesses(map.depth_m.values.size());
+  const WorkImages::Handle first = images.get(reference);
+  HF_CHECK(first != nullptr);
+  StereoDepthResult result{.map = empty_map(reconstruction, reference, *first)};
+  result.map.disparity_sigma_px = options.stereo.disparity_sigma_px;
+  std::vector<PairDepths> pairs;
   for (const StereoPartner& partner : choose_partners(reconstruction, reference, options)) {
-    if (images[partner.view].rgb.empty()) continue;
-    const auto refuse = [&](const std::string& why) {
+    const WorkImages::Handle second = images.get(partner.view);
+    if (!second) continue;
+    auto depths =
+        match_partner(reconstruction, result.map, partner, *first, *second, options.stereo);
+    if (!depths) {
       result.refusals.push_back(fmt::format("{} with {}: {}",
                                             reconstruction.views[reference].name,
                                             reconstruction.views[partner.view].name,
-                                            why));
-    };
-    const Pair pair{.first = posed(reconstruction, reference, images[reference]),
-                    .second = posed(reconstruction, partner.view, images[partner.view])};
-    const auto request = request_for(reconstruction, partner, pair);
-    if (!request) {
-      refuse(request.error().message);
+                                            depths.error().message));
       continue;
     }
-    const auto geometry = rectify(pair.first, pair.second, *request);
-    if (!geometry) {
-      refuse(geometry.error().message);
-      continue;
-    }
-    const double parallax = vertical_parallax_px(reconstruction, reference, partner, *geometry);
-    if (!(parallax <= kMaxVerticalParallaxPx)) {
-      refuse(fmt::format("rows do not correspond: median vertical parallax {:.2f} px", parallax));
-      continue;
-    }
-    const auto disparity = match_pair(
-        rectified_images(pair, images[reference], images[partner.view], *geometry), options.stereo);
-    if (!disparity) {
-      refuse(disparity.error().message);
-      continue;
-    }
-    add_guesses(map, *geometry, *disparity, guesses);
-    map.partners.push_back(partner.view);
+    pairs.push_back(std::move(*depths));
+    result.map.partners.push_back(partner.view);
     ++result.num_pairs;
   }
-  for (std::size_t i = 0; i < guesses.size(); ++i) {
-    if (guesses[i].empty()) continue;
-    const DepthGuess merged = merge_guesses(guesses[i]);
-    map.depth_m.values[i] = static_cast<float>(merged.depth_m);
-    map.sigma_m.values[i] = static_cast<float>(merged.sigma_m);
-  }
+  merge_pairs(pairs, result.map);
   return result;
 }
 

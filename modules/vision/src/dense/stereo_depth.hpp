@@ -2,11 +2,12 @@
 
 #include "depth_map.hpp"
 #include "pair_choice.hpp"
+#include "work_images.hpp"
 
 #include <hybridfusion/core/error.hpp>
 
-#include <span>
 #include <string>
+#include <vector>
 
 namespace hybridfusion {
 
@@ -18,10 +19,11 @@ struct StereoDepthResult {
 };
 
 /// Matches a photo with each of its partners and merges the depths on the photo's own grid.
-/// @param images  Work images, one per view; those of the photo and its partners are used.
+/// @param images  Those of the photo and its partners are used. @pre the photo itself can be
+/// decoded
 [[nodiscard]] StereoDepthResult stereo_depth(const Reconstruction& reconstruction,
                                              std::uint32_t reference,
-                                             std::span<const WorkImage> images,
+                                             WorkImages& images,
                                              const DensifyOptions& options);
 
 }  // namespace hybridfusion

@@ -1,11 +1,12 @@
 #include "stereo_matcher.hpp"
 
-#include "census.hpp"
+#include "texture_mask.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include <opencv2/calib3d.hpp>
 #include <opencv2/core.hpp>
@@ -14,7 +15,9 @@ namespace hybridfusion {
 namespace {
 
 constexpr float kInvalid = std::numeric_limits<float>::quiet_NaN();
-constexpr int kMinCoarseDisparities = 16;
+// Matching a quarter of the pixels over that many is cheap, and a still coarser level would lose
+// narrow surfaces.
+constexpr int kMinCoarseDisparities = 48;
 constexpr int kMinCoarseWidth = 160;
 
 ImagePlane<std::uint8_t> half_grey(const ImagePlane<std::uint8_t>& image) {
@@ -44,7 +47,7 @@ ImagePlane<std::uint8_t> half_mask(const ImagePlane<std::uint8_t>& mask) {
 /// (Rothermel et al. 2012): the cost grows with the image, not with the depth range.
 ImagePlane<float> match_coarse_to_fine(const RectifiedImages& images,
                                        const StereoOptions& options) {
-  const bool coarse_enough = (images.num_disparities - 1) % 4 != 0 ||
+  const bool coarse_enough = images.num_disparities % 2 == 0 ||
                              images.num_disparities / 2 < kMinCoarseDisparities ||
                              images.left.width / 2 < kMinCoarseWidth;
   if (coarse_enough) return match_semi_globally(images, full_ranges(images), options);
@@ -95,9 +98,9 @@ ImagePlane<float> match_with_opencv(const RectifiedImages& images, const StereoO
 void remove_weak_texture(const RectifiedImages& images,
                          double min_grey,
                          ImagePlane<float>& disparity) {
-  const ImagePlane<float> deviation = window_deviation(images.left);
+  const ImagePlane<std::uint8_t> weak = weak_texture(images.left, min_grey);
   for (std::size_t i = 0; i < disparity.values.size(); ++i) {
-    if (deviation.values[i] < min_grey) disparity.values[i] = kInvalid;
+    if (weak.values[i] != 0) disparity.values[i] = kInvalid;
   }
 }
 
@@ -111,22 +114,70 @@ RectifiedImages half_size(const RectifiedImages& images) {
           .num_disparities = (images.num_disparities - 1) / 2 + 1};
 }
 
+namespace {
+
+/// Median of each 3 x 3 neighbourhood of a row (Smith 1996, exchange network); NaN or arbitrary
+/// where one of the nine is NaN.
+__attribute__((target_clones("avx2", "default"))) void median_row(
+    const float* above, const float* at, const float* below, float* out, int width) {
+  for (int x = 1; x + 1 < width; ++x) {
+    float a = above[x - 1];
+    float b = above[x];
+    float c = above[x + 1];
+    float d = at[x - 1];
+    float e = at[x];
+    float f = at[x + 1];
+    float g = below[x - 1];
+    float h = below[x];
+    float i = below[x + 1];
+    const auto order = [](float& low, float& high) __attribute__((always_inline)) {
+      const float smaller = low < high ? low : high;
+      high = low < high ? high : low;
+      low = smaller;
+    };
+    order(b, c), order(e, f), order(h, i);
+    order(a, b), order(d, e), order(g, h);
+    order(b, c), order(e, f), order(h, i);
+    order(a, d), order(f, i), order(e, h);
+    order(d, g), order(b, e), order(c, f);
+    order(e, h), order(e, c), order(g, e);
+    order(e, c);
+    out[x] = e;
+  }
+}
+
+/// Median of the valid values among the nine around (x, y); the centre's when few are valid.
+float median_of_valid(const ImagePlane<float>& disparity, int x, int y) {
+  std::array<float, 9> values{};
+  std::size_t count = 0;
+  for (int v = y - 1; v <= y + 1; ++v) {
+    for (int u = x - 1; u <= x + 1; ++u) {
+      if (!std::isnan(disparity.at(u, v))) values[count++] = disparity.at(u, v);
+    }
+  }
+  if (count < 5) return disparity.at(x, y);
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(count / 2);
+  std::nth_element(values.begin(), middle, values.begin() + static_cast<std::ptrdiff_t>(count));
+  return *middle;
+}
+
+}  // namespace
+
 ImagePlane<float> median_filtered(const ImagePlane<float>& disparity) {
   ImagePlane<float> result = disparity;
+  const int width = disparity.width;
+  std::vector<float> medians(static_cast<std::size_t>(width));
   for (int y = 1; y + 1 < disparity.height; ++y) {
-    for (int x = 1; x + 1 < disparity.width; ++x) {
-      if (std::isnan(disparity.at(x, y))) continue;
-      std::array<float, 9> values{};
-      std::size_t count = 0;
-      for (int v = y - 1; v <= y + 1; ++v) {
-        for (int u = x - 1; u <= x + 1; ++u) {
-          if (!std::isnan(disparity.at(u, v))) values[count++] = disparity.at(u, v);
-        }
-      }
-      if (count < 5) continue;
-      const auto middle = values.begin() + static_cast<std::ptrdiff_t>(count / 2);
-      std::nth_element(values.begin(), middle, values.begin() + static_cast<std::ptrdiff_t>(count));
-      result.at(x, y) = *middle;
+    const float* above = disparity.row(y - 1);
+    const float* at = disparity.row(y);
+    const float* below = disparity.row(y + 1);
+    median_row(above, at, below, medians.data(), width);
+    for (int x = 1; x + 1 < width; ++x) {
+      if (std::isnan(at[x])) continue;
+      float sum = 0.0F;
+      for (int u = x - 1; u <= x + 1; ++u) sum += above[u] + at[u] + below[u];
+      result.at(x, y) =
+          std::isnan(sum) ? median_of_valid(disparity, x, y) : medians[static_cast<std::size_t>(x)];
     }
   }
   return result;

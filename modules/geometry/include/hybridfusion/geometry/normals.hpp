@@ -21,6 +21,10 @@ struct PointShape {
                                             std::span<const Neighbor> members,
                                             Eigen::Vector3d& mean);
 
+/// Shape of a neighbourhood; degenerate for fewer than three members.
+[[nodiscard]] PointShape shape_of(std::span<const Eigen::Vector3f> points,
+                                  std::span<const Neighbor> members);
+
 /// Shape at each point from its `num_neighbors` nearest ones. @pre num_neighbors >= 3
 [[nodiscard]] std::vector<PointShape> estimate_shapes(std::span<const Eigen::Vector3f> points,
                                                       const KdTree& tree,

@@ -24,6 +24,15 @@ using VoxelIndex = Eigen::Vector3i;
          (static_cast<std::uint64_t>(v.z() + kOffset) & kMask);
 }
 
+/// Inverse of voxel_key.
+[[nodiscard]] inline VoxelIndex voxel_of_key(std::uint64_t key) {
+  constexpr int kOffset = 1 << 20;
+  constexpr std::uint64_t kMask = (1U << 21U) - 1U;
+  return {static_cast<int>((key >> 42U) & kMask) - kOffset,
+          static_cast<int>((key >> 21U) & kMask) - kOffset,
+          static_cast<int>(key & kMask) - kOffset};
+}
+
 /// Mean of the points (and of every channel; normals renormalised, colours rounded) of each
 /// occupied voxel, in ascending voxel order: independent of the order of the input but for
 /// rounding. `sources` keep the first point's value. Non-finite points are dropped. @pre voxel_m >

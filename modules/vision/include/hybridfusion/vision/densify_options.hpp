@@ -9,12 +9,16 @@ namespace hybridfusion {
 /// Semi-global matching of a rectified pair.
 struct StereoOptions {
   std::string matcher = "sgm";
+  bool diagonal_paths = false;
   int smoothness_small = 10;
   int smoothness_large = 60;
   double uniqueness = 0.03;
   double max_left_right_px = 1.0;
   double min_texture_grey = 2.0;
   int min_segment_px = 100;
+  double max_vertical_parallax_px = 1.0;
+  double disparity_sigma_px = 0.25;
+  int max_volume_mib = 192;
 };
 
 template <>
@@ -28,6 +32,11 @@ struct OptionFields<StereoOptions> {
            .doc = "sgm: census semi-global matching, coarse to fine. sgbm: OpenCV's, block based; "
                   "quicker on textured ground, invents surfaces on sky and blank walls.",
            .source = "HybridFusion III-A.2; Hirschmueller 2008"}},
+      Field{&T::diagonal_paths,
+            {.key = "diagonal_paths",
+             .doc = "Costs are aggregated along eight paths instead of four, at nearly twice the "
+                    "time.",
+             .source = "Hirschmueller 2008, 2.3; value ours"}},
       Field{&T::smoothness_small,
             {.key = "smoothness_small",
              .unit = "bits",
@@ -71,6 +80,31 @@ struct OptionFields<StereoOptions> {
              .max = 1e6,
              .doc = "Smaller islands of disparity are dropped.",
              .source = "Hirschmueller 2008, 2.5"}},
+      Field{
+          &T::max_vertical_parallax_px,
+          {.key = "max_vertical_parallax_px",
+           .unit = "px",
+           .min = 0.1,
+           .max = 100.0,
+           .doc = "A pair whose features leave their rows by more (median) is left out: its poses "
+                  "or its camera model are wrong. Sound pairs have 0.1 to 0.3 px.",
+           .source = "ours"}},
+      Field{
+          &T::disparity_sigma_px,
+          {.key = "disparity_sigma_px",
+           .unit = "px",
+           .min = 0.01,
+           .max = 10.0,
+           .doc = "Standard deviation of a refined disparity, from which the points' sigmas start.",
+           .source = "ours, from errors against true surfaces"}},
+      Field{&T::max_volume_mib,
+            {.key = "max_volume_mib",
+             .unit = "MiB",
+             .min = 1,
+             .max = 100000,
+             .doc = "Costs of one pair in memory, a thread; larger pairs are matched in strips of "
+                    "rows, with the same result and about half as much work again.",
+             .source = "ours"}},
   };
 };
 
@@ -145,6 +179,7 @@ struct DensifyOptions {
   double voxel_m = 0.0;
   int min_points_per_voxel = 2;
   double max_gsd_ratio = 3.0;
+  int max_memory_mib = 640;
   StereoOptions stereo = {};
   DepthCheckOptions check = {};
 };
@@ -210,6 +245,14 @@ struct OptionFields<DensifyOptions> {
            .max = 100.0,
            .doc = "Depths beyond this many times the median depth are dropped (far oblique field).",
            .source = "ours"}},
+      Field{&T::max_memory_mib,
+            {.key = "max_memory_mib",
+             .unit = "MiB",
+             .min = 64,
+             .max = 1e6,
+             .doc = "Photos and depth maps kept in memory; depth maps beyond lie on disk while the "
+                    "cloud is made, photos are decoded again.",
+             .source = "ours"}},
       Field{&T::stereo, {.key = "stereo", .doc = "Stereo matching."}},
       Field{&T::check, {.key = "check", .doc = "Consistency between photos."}},
   };

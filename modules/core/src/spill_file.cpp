@@ -1,4 +1,4 @@
-#include "spill_file.hpp"
+#include <hybridfusion/core/spill_file.hpp>
 
 #include <cerrno>
 #include <cstring>
@@ -14,8 +14,8 @@ namespace {
 
 std::unexpected<Error> io_error(const std::filesystem::path& folder, const char* doing) {
   return fail(ErrorCode::kIo,
-              fmt::format("{}: {} a temporary file: {}; a recording needs about as much room there "
-                          "as its points, 30 bytes each",
+              fmt::format("{}: {} a temporary file: {}; room is needed there for what does not fit "
+                          "into memory: 30 bytes a point of a recording, 14 a pixel of a depth map",
                           folder.string(),
                           doing,
                           std::strerror(errno)));

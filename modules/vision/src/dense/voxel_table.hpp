@@ -1,0 +1,50 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace hybridfusion {
+
+/// Weighted sums of the depths that fall into one voxel.
+struct VoxelSums {
+  std::uint64_t key = 0;
+  Eigen::Vector3f offset = Eigen::Vector3f::Zero();  ///< From the voxel's corner, weighted.
+  float weight = 0.0F;
+  Eigen::Vector3f towards_photo = Eigen::Vector3f::Zero();
+  std::int32_t count = 0;
+  Eigen::Vector3f color = Eigen::Vector3f::Zero();
+};
+
+/// Sums by voxel key in order of first use: open addressing over indices into blocks that never
+/// move, so that growing copies no sums.
+class VoxelTable {
+ public:
+  [[nodiscard]] VoxelSums& operator[](std::uint64_t key);
+  [[nodiscard]] std::size_t size() const { return size_; }
+  template <class Visit>
+  void for_each(Visit&& visit) const {
+    for (std::size_t i = 0; i < size_; ++i) visit(entry(i));
+  }
+
+ private:
+  static constexpr std::size_t kBlockSize = 1U << 14U;
+  static constexpr std::uint32_t kEmpty = 0xffffffffU;
+  using Block = std::array<VoxelSums, kBlockSize>;
+
+  [[nodiscard]] VoxelSums& entry(std::size_t i) const {
+    return (*blocks_[i / kBlockSize])[i % kBlockSize];
+  }
+  [[nodiscard]] std::size_t slot_of(std::uint64_t key) const;
+  void grow();
+
+  std::vector<std::unique_ptr<Block>> blocks_ = {};
+  std::vector<std::uint32_t> slots_ = {};  // a power of two
+  std::size_t size_ = 0;
+};
+
+}  // namespace hybridfusion
