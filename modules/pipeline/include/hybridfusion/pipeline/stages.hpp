@@ -32,7 +32,7 @@ inline constexpr std::array<std::string_view, 4> kStages = {
 struct StageOutcome {
   std::string stage = {};
   bool up_to_date = false;  ///< Nothing had changed; the former result is repeated.
-  bool refused = false;     ///< The stage ran but has no reliable result (registration only).
+  bool refused = false;     ///< The stage ran but has no reliable result (registration, map).
   StageCost cost = {};
   std::string result_json = "{}";
   std::vector<std::string> summary = {};
@@ -57,7 +57,8 @@ struct Project {
     const RunContext& ctx,
     const std::optional<std::filesystem::path>& poses = {});
 
-/// Module B: recording -> trajectory.tum, map.ply, quality.csv, gnss.json.
+/// Module B: recording -> trajectory.tum, map.ply, quality.csv, gnss.json. An unreliable drive (too
+/// long without a scan located by its points) is an outcome with `refused`; its files are written.
 /// @param sensors  Absent: sensors.yaml beside the recording when it exists.
 [[nodiscard]] Expected<StageOutcome> map_stage(Project& project,
                                                const std::filesystem::path& bag,
