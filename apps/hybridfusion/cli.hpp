@@ -85,7 +85,7 @@ inline constexpr const char* kRecordingHelp =
 void print_outcome(const Session& session, const StageOutcome& outcome);
 
 /// Runs stages one after the other, prints what each has to say, and stops at the first error. A
-/// refused registration does not stop those behind it but decides the exit code.
+/// refused one does not stop those behind it but decides the exit code.
 [[nodiscard]] int run_stages(
     Session& session,
     const std::string& output,

@@ -38,6 +38,8 @@ constexpr double kMaxScan_ns = 8e8;
 constexpr double kMaxOffset_ns = 1e9;
 constexpr Timestamp kDefaultPeriod = milliseconds(100);
 constexpr std::size_t kMaxStampGaps = 15;
+// A single one may be a scan of which hardly anything came back.
+constexpr int kMisfitsToTell = 3;
 
 [[nodiscard]] std::optional<Unit> unit_named(std::string_view name) {
   const auto found = std::ranges::find(kUnits, name, &Unit::name);
@@ -99,20 +101,13 @@ PointTimeReader::Extent PointTimeReader::measure(const LidarScan& scan,
   return extent;
 }
 
-PointTimeReader::Format PointTimeReader::detect(const LidarScan& scan,
-                                                const RawPointTimes& raw,
-                                                const Extent& extent) {
-  const double span = extent.high - extent.low;
-  std::optional<Unit> unit = options_.unit.empty() ? unit_by_span(span) : unit_named(options_.unit);
-  if (!unit) {
-    unit = is_integer(raw.type) ? kUnits.back() : kUnits.front();
-    warn_once(
-        fmt::format("the point times of field '{}' span {:g}, which is no scan in s, ms, us or "
-                    "ns; taken as {}; set point_time_unit if that is wrong",
-                    raw.field,
-                    span,
-                    unit->name));
-  }
+/// Nothing when this scan does not tell.
+std::optional<PointTimeReader::Format> PointTimeReader::detect(const LidarScan& scan,
+                                                               const RawPointTimes& raw,
+                                                               const Extent& extent) {
+  const std::optional<Unit> unit =
+      options_.unit.empty() ? unit_by_span(extent.high - extent.low) : unit_named(options_.unit);
+  if (!unit) return std::nullopt;
   Format format = {.unit_ns = unit->ns};
   const double farthest_ns = std::max(std::abs(extent.low), std::abs(extent.high)) * unit->ns;
   std::string_view meaning = "relative to the scan's stamp";
@@ -163,7 +158,7 @@ void PointTimeReader::synthesize(LidarScan& scan, std::string_view why) {
   const std::string text = fmt::format(
       "{}; times are made up from the {} of the points", why, offsets ? "azimuth" : "order");
   warn_once(text);
-  if (!format_) description_ = text;
+  if (!format_ || num_misfits_ >= kMisfitsToTell) description_ = text;
   for (std::size_t i = 0; i < scan.points.size(); ++i) {
     scan.points[i].offset_ns =
         offsets ? (*offsets)[i]
@@ -178,8 +173,27 @@ void PointTimeReader::assign(LidarScan& scan, const RawPointTimes& raw) {
   if (raw.values.empty()) return synthesize(scan, "the scans have no time per point");
   const Extent extent = measure(scan, raw.values);
   if (!format_ && extent.varies) format_ = detect(scan, raw, extent);
-  if (format_ && (extent.varies || extent.count < 4)) return convert(scan, raw.values, extent);
-  synthesize(scan, fmt::format("the point times of field '{}' are all the same", raw.field));
+  if (!extent.varies && (!format_ || extent.count >= 4)) {
+    return synthesize(scan,
+                      fmt::format("the point times of field '{}' are all the same", raw.field));
+  }
+  if (format_ && extent.varies) num_misfits_ = fits_period(extent) ? 0 : num_misfits_ + 1;
+  if (format_ && num_misfits_ < kMisfitsToTell) return convert(scan, raw.values, extent);
+  synthesize(scan,
+             fmt::format("the point times of field '{}' do not span a scan in s, ms, us or ns "
+                         "(set point_time_unit when they are right all the same)",
+                         raw.field));
+}
+
+/// A unit that was given is obeyed.
+bool PointTimeReader::fits_period(const Extent& extent) const {
+  if (!options_.unit.empty() || stamp_gaps_.empty()) return true;
+  constexpr double kMinShare = 0.05;
+  constexpr double kMaxShare = 1.5;
+  const double span_ns = (extent.high - extent.low) * format_->unit_ns;
+  const auto period_ns = static_cast<double>(scan_period().count());
+  return span_ns >= kMinShare * period_ns &&
+         span_ns <= std::max(kMaxScan_ns, kMaxShare * period_ns);
 }
 
 void PointTimeReader::note_stamp(Timestamp stamp) {

@@ -24,7 +24,8 @@ struct RawPointTimes {
 
 /// Fills LidarPoint::offset_ns. What the time field means (unit, relative or absolute) is decided
 /// at the first scan that tells, by its span: a scan lasts about 0.01 to 0.5 s, so only one of s,
-/// ms, us, ns fits. Without usable times they are synthesised.
+/// ms, us, ns fits. Without usable times they are synthesised; times are also unusable when they
+/// span another time than the scans are apart, unless their unit was given.
 class PointTimeReader {
  public:
   explicit PointTimeReader(PointTimeOptions options) : options_(std::move(options)) {}
@@ -58,9 +59,10 @@ class PointTimeReader {
   };
 
   [[nodiscard]] static Extent measure(const LidarScan& scan, std::span<const double> values);
-  [[nodiscard]] Format detect(const LidarScan& scan,
-                              const RawPointTimes& raw,
-                              const Extent& extent);
+  [[nodiscard]] std::optional<Format> detect(const LidarScan& scan,
+                                             const RawPointTimes& raw,
+                                             const Extent& extent);
+  [[nodiscard]] bool fits_period(const Extent& extent) const;
   void convert(LidarScan& scan, std::span<const double> values, const Extent& extent);
   void synthesize(LidarScan& scan, std::string_view why);
   void note_stamp(Timestamp stamp);
@@ -68,6 +70,7 @@ class PointTimeReader {
 
   PointTimeOptions options_;
   std::optional<Format> format_ = {};
+  int num_misfits_ = 0;  ///< Scans in a row whose span does not fit their distance.
   std::string description_ = {};
   std::vector<std::string> warnings_ = {};
   std::set<std::string> told_ = {};

@@ -78,6 +78,30 @@ TEST(AtomicFile, NoRoomIsReportedWithPathAndBytesAndLeavesNothing) {
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
+TEST(AtomicFile, StartIsReplacedWithoutTouchingTheRest) {
+  const TempFolder folder;
+  const auto path = folder.path() / "a";
+  const std::string rest(700'000, 'r');  // more than is buffered
+  for (const std::size_t written_first : {std::size_t{0}, rest.size()}) {
+    auto file = AtomicFile::create(path);
+    ASSERT_TRUE(file);
+    file->write("00000");
+    file->write(rest.substr(0, written_first));
+    file->overwrite_start("12345");
+    file->write(rest.substr(written_first));  // goes on at the end
+    ASSERT_TRUE(file->commit());
+    EXPECT_EQ(content_of(path), "12345" + rest);
+  }
+}
+
+TEST(AtomicFile, StartLongerThanTheFileIsTheCallersMistake) {
+  const TempFolder folder;
+  auto file = AtomicFile::create(folder.path() / "a");
+  ASSERT_TRUE(file);
+  file->write("123");
+  EXPECT_THROW(file->overwrite_start("1234"), std::logic_error);
+}
+
 TEST(AtomicFile, AFolderInTheWayIsAnError) {
   const TempFolder folder;
   std::filesystem::create_directories(folder.path() / "a" / "b");

@@ -110,6 +110,52 @@ TEST(PointTime, UnitIsKeptForLaterScansThatDoNotTell) {
   EXPECT_NEAR(odd->points[99].offset_ns, 99'000, 5);
 }
 
+/// A whole turn of 0.1 s whose times are `scale` times too long.
+[[nodiscard]] std::string scaled_turn(std::int64_t stamp_ns, double scale) {
+  std::vector<std::vector<double>> points;
+  for (int i = 0; i < 360; ++i) {
+    const double azimuth = 2.0 * std::numbers::pi * i / 360.0;
+    points.push_back(
+        {10.0 * std::cos(azimuth), 10.0 * std::sin(azimuth), 1.0, scale * 0.1 * i / 360.0});
+  }
+  return cloud_message(stamp_ns, {{"x", kF32}, {"y", kF32}, {"z", kF32}, {"time", kF32}}, points);
+}
+
+TEST(PointTime, OfNoUnitComesFromTheAzimuth) {
+  ScanDecoder decoder;
+  for (int i = 0; i < 4; ++i) {
+    const auto scan =
+        decoder.decode_point_cloud2(bytes_of(scaled_turn(kStamp_ns + i * 100'000'000LL, 1e-3)));
+    ASSERT_TRUE(scan);
+    EXPECT_NEAR(scan->points[180].offset_ns, 50'000'000, 1'000'000);
+  }
+  EXPECT_THAT(decoder.take_warnings(),
+              ::testing::ElementsAre(AllOf(HasSubstr("point_time_unit"), HasSubstr("azimuth"))));
+}
+
+TEST(PointTime, ThatDoesNotFitTheDistanceOfTheScansComesFromTheAzimuth) {
+  ScanDecoder decoder;
+  LidarScan last;
+  for (int i = 0; i < 6; ++i) {
+    // 1 s: taken for 1 ms until three scans have told otherwise.
+    const auto scan =
+        decoder.decode_point_cloud2(bytes_of(scaled_turn(kStamp_ns + i * 100'000'000LL, 10.0)));
+    ASSERT_TRUE(scan);
+    last = *scan;
+  }
+  EXPECT_NEAR(last.points[180].offset_ns, 50'000'000, 1'000'000);
+  EXPECT_THAT(decoder.point_time(), HasSubstr("azimuth"));
+  // A unit that was given is obeyed.
+  ScanDecoder told({.unit = "s"});
+  for (int i = 0; i < 6; ++i) {
+    const auto scan =
+        told.decode_point_cloud2(bytes_of(scaled_turn(kStamp_ns + i * 100'000'000LL, 10.0)));
+    ASSERT_TRUE(scan);
+    last = *scan;
+  }
+  EXPECT_NEAR(last.points[180].offset_ns, 500'000'000, 100);
+}
+
 TEST(PointTime, OverrideOfFieldAndUnitIsObeyed) {
   ScanDecoder decoder({.field = "stamp2", .unit = "us"});
   const auto scan = decoder.decode_point_cloud2(bytes_of(timed_scan("stamp2", kF32, 0.0, 1e6)));

@@ -6,7 +6,6 @@
 #include <hybridfusion/io/colmap_model.hpp>
 #include <hybridfusion/io/dataset_truth.hpp>
 #include <hybridfusion/io/point_cloud_file.hpp>
-#include <hybridfusion/io/sensors_yaml.hpp>
 #include <hybridfusion/io/transform_json.hpp>
 #include <hybridfusion/io/tum.hpp>
 
@@ -114,56 +113,6 @@ TEST(ColmapModel, DamageIsNamedAndNeverCrashes) {
   for (std::uint64_t i = 0; i < 300; ++i) {
     static_cast<void>(folder.file("images.txt", testing::mutated(images, i)));
     static_cast<void>(read_colmap_model(folder.path()));
-  }
-}
-
-TEST(SensorsYaml, EveryKeyIsReadAndAbsentKeysAreEmpty) {
-  const TempFolder folder;
-  const auto config =
-      read_sensors_yaml(folder.file("sensors.yaml",
-                                    "lidar_topic: /points\n"
-                                    "point_time_unit: us\n"
-                                    "imu_from_lidar: [1,0,0,0.1, 0,1,0,0.2, 0,0,1,0.3, 0,0,0,1]\n"
-                                    "gnss_antenna_in_imu: [-0.45, 0.1, 0.52]\n"
-                                    "gyro_noise_density: 2.4e-4\n"));
-  ASSERT_TRUE(config) << config.error().message;
-  EXPECT_EQ(config->lidar_topic, "/points");
-  EXPECT_EQ(config->point_time_unit, "us");
-  EXPECT_EQ(config->imu_from_lidar->translation, Eigen::Vector3d(0.1, 0.2, 0.3));
-  EXPECT_EQ(config->gnss_antenna_in_imu, Eigen::Vector3d(-0.45, 0.1, 0.52));
-  EXPECT_EQ(config->gyro_noise_density, 2.4e-4);
-  EXPECT_FALSE(config->imu_topic || config->accel_bias_walk);
-  EXPECT_TRUE(read_sensors_yaml(folder.file("comment.yaml", "# nothing\n")));
-}
-
-TEST(SensorsYaml, MistakesAreNamedWithTheirLine) {
-  const TempFolder folder;
-  const auto error = [&](const char* content) {
-    const auto config = read_sensors_yaml(folder.file("s.yaml", content));
-    EXPECT_FALSE(config) << content;
-    return config ? std::string() : config.error().message;
-  };
-  EXPECT_THAT(error("imu_topic: /i\nlidar_topik: /p\n"),
-              AllOf(HasSubstr("line 2"), HasSubstr("lidar_topik"), HasSubstr("lidar_topic")));
-  EXPECT_THAT(error("gyro_noise_density: many\n"), HasSubstr("line 1"));
-  EXPECT_THAT(error("gyro_noise_density: -1\n"), HasSubstr("outside"));
-  EXPECT_THAT(error("gyro_noise_density: .nan\n"), HasSubstr("outside"));
-  EXPECT_THAT(error("\nimu_from_lidar: [1, 2]\n"), AllOf(HasSubstr("line 2"), HasSubstr("16")));
-  EXPECT_THAT(error("imu_from_lidar: [2,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1]\n"),
-              HasSubstr("rotation"));
-  EXPECT_THAT(error("gnss_antenna_in_imu: [1, 2]\n"), HasSubstr("3"));
-  EXPECT_THAT(error("point_time_unit: hours\n"), HasSubstr("hours"));
-  EXPECT_THAT(error("a: [1, 2\n"), HasSubstr("not valid YAML"));
-  EXPECT_THAT(error("- a\n- b\n"), HasSubstr("not a map"));
-}
-
-TEST(SensorsYaml, RandomDamageNeverCrashes) {
-  const TempFolder folder;
-  const std::string good =
-      "lidar_topic: /p\nimu_from_lidar: [1,0,0,0.1, 0,1,0,0.2, 0,0,1,0.3, 0,0,0,1]\n"
-      "gnss_antenna_in_imu: [-0.45, 0.1, 0.52]\ngyro_noise_density: 2.4e-4\n";
-  for (std::uint64_t i = 0; i < 400; ++i) {
-    static_cast<void>(read_sensors_yaml(folder.file("bad.yaml", testing::mutated(good, i))));
   }
 }
 

@@ -15,7 +15,9 @@ namespace {
 // Loops open by less are left to the adjustment of planes, which sees them as one wall.
 constexpr double kClosed_m = 0.04;
 constexpr double kClosed_rad = 0.003;
-// A stretch of odometry that loops would bend by more than this many deviations contradicts them.
+// Odometry that loops would bend by more than this many deviations in all contradicts them: streets
+// that look alike have passed every test of their looks. True loops take 3 to 7 on drives that
+// were 0.2 to 0.8 m off.
 constexpr double kMaxStrain_sigmas = 12.0;
 constexpr double kFlagged_m = 0.03;
 constexpr std::size_t kPairsAtOnce = 32;
@@ -112,7 +114,7 @@ Expected<LoopClosureReport> close_loops(const LoopClosureOptions& options,
     report.contradiction = solved.error().message;
     return report;
   }
-  const double strain = largest_strain(graph.odometry, after);
+  const double strain = total_strain(graph.odometry, after);
   if (!(strain <= kMaxStrain_sigmas)) {
     report.contradiction = fmt::format(
         "{} loops are open by up to {:.2f} m and would bend the odometry by {:.0f} standard "

@@ -153,15 +153,15 @@ void add_gnss(const GnssTrack& gnss,
   }
 }
 
-double largest_strain(std::span<const RelativePose> odometry,
-                      std::span<const Rigid3> map_from_segment) {
-  double largest2 = 0.0;
+double total_strain(std::span<const RelativePose> odometry,
+                    std::span<const Rigid3> map_from_segment) {
+  double sum2 = 0.0;
   for (const RelativePose& edge : odometry) {
     const PoseVector r =
         residual_of(edge, map_from_segment[edge.first], map_from_segment[edge.second]);
-    largest2 = std::max(largest2, r.dot(edge.information * r));
+    sum2 += r.dot(edge.information * r);
   }
-  return std::sqrt(largest2);
+  return std::sqrt(sum2);
 }
 
 }  // namespace hybridfusion

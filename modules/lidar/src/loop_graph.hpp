@@ -28,8 +28,9 @@ void add_gnss(const GnssTrack& gnss,
               std::span<const StoredScan> scans,
               PoseGraph& graph);
 
-/// Largest root of an edge's weighted squared residual, in standard deviations.
-[[nodiscard]] double largest_strain(std::span<const RelativePose> odometry,
-                                    std::span<const Rigid3> map_from_segment);
+/// How far the poses are from what the odometry says: root of the sum of the edges' weighted
+/// squared residuals, in standard deviations.
+[[nodiscard]] double total_strain(std::span<const RelativePose> odometry,
+                                  std::span<const Rigid3> map_from_segment);
 
 }  // namespace hybridfusion

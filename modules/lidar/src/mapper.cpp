@@ -7,6 +7,7 @@
 #include <hybridfusion/lidar/mapper.hpp>
 
 #include <algorithm>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -31,6 +32,19 @@ void add_warnings(const OdometrySummary& summary, std::vector<std::string>& warn
   note(summary.num_degenerate_scans, "scans left a direction undetermined: held to the prediction");
 }
 
+/// From the first scan on; an end without matches counts too.
+double longest_blind_s(std::span<const ScanQuality> quality) {
+  constexpr auto kBlind = static_cast<std::uint32_t>(ScanFlag::kUnmatched) |
+                          static_cast<std::uint32_t>(ScanFlag::kDiverged);
+  double longest_s = 0.0;
+  Timestamp last_seen = quality.empty() ? Timestamp{} : quality.front().time;
+  for (const ScanQuality& scan : quality) {
+    longest_s = std::max(longest_s, to_seconds(scan.time - last_seen));
+    if ((scan.flags & kBlind) == 0) last_seen = scan.time;
+  }
+  return longest_s;
+}
+
 }  // namespace
 
 struct LidarMapper::Impl {
@@ -44,6 +58,7 @@ struct LidarMapper::Impl {
   Expected<void> stored = {};
 
   void collect();
+  void judge();
   Expected<void> correct_drift(const RunContext& ctx);
   Expected<void> refine(const RunContext& ctx);
 };
@@ -54,6 +69,18 @@ void LidarMapper::Impl::collect() {
     result.quality.push_back(scan.quality);
     result.covariances.push_back(scan.covariance);
   }
+}
+
+void LidarMapper::Impl::judge() {
+  result.longest_blind_s = longest_blind_s(result.quality);
+  result.reliable = result.longest_blind_s <= options.max_blind_s;
+  if (result.reliable) return;
+  result.warnings.push_back(
+      fmt::format("no scan was located by its points for {:.1f} s (limit {} s, "
+                  "lidar.odometry.max_blind_s): the trajectory is a guess from there on; was the "
+                  "LiDAR covered or the view empty?",
+                  result.longest_blind_s,
+                  options.max_blind_s));
 }
 
 /// Only what ends the whole stage is an error: without loops the drive is as good as it was.
@@ -169,11 +196,14 @@ Expected<MappingResult> LidarMapper::finish(const RunContext& ctx, const MapSink
   if (!built) return std::unexpected(std::move(built).error());
   if (result.num_map_points == 0) {
     return fail(ErrorCode::kInsufficient,
-                fmt::format("{} scans gave no map point; are their points within {} .. {} m?",
+                fmt::format("{} located scans gave no map point, which takes returns of {} scans "
+                            "within {} .. {} m; record some seconds of driving among buildings",
                             result.trajectory.poses.size(),
+                            impl_->options.map.min_scans,
                             impl_->options.min_range_m,
                             impl_->options.map.max_range_m));
   }
+  impl_->judge();
   return std::move(result);
 }
 

@@ -15,7 +15,7 @@ constexpr std::size_t kSpan = 4;  // scans between the two ends
 constexpr int kMinSpans = 12;
 constexpr double kSigmas = 5.0;
 constexpr double kMinOffset_s = 0.006;
-constexpr double kMinAngle_rad = 0.02;
+constexpr double kMinAngle_rad = 0.01;
 
 constexpr std::uint32_t bit(ScanFlag flag) {
   return static_cast<std::uint32_t>(flag);

@@ -13,11 +13,31 @@ namespace {
 // A plane takes five map points, a pose many planes: below this the map only grows.
 constexpr std::size_t kMinMapPoints = 50;
 // How far a given extrinsic may be off where it is to be refined.
-constexpr double kExtrinsicSigma_m = 0.02;
-constexpr double kExtrinsicSigma_rad = 0.03;
+constexpr double kExtrinsicSigma_m = 0.1;
+constexpr double kExtrinsicSigma_rad = 0.1;
 
 constexpr std::uint32_t bit(ScanFlag flag) {
   return static_cast<std::uint32_t>(flag);
+}
+
+/// The first scan makes the map with the extrinsic as given. When that is off by [t; e], the LiDAR
+/// still lies where the map has it; pose of the IMU and gravity are what is off with it:
+/// R <- R Exp(-R_IL e), g <- Exp(-R R_IL e) g, p <- p - R t - R [t_IL]x R_IL e.
+void loosen_extrinsic(StateEstimate& estimate) {
+  const NavState& state = estimate.state;
+  const Eigen::Matrix3d in_map = state.map_from_imu * state.imu_from_lidar;
+  Eigen::Matrix<double, err::kSize, 6> by_extrinsic = Eigen::Matrix<double, err::kSize, 6>::Zero();
+  by_extrinsic.block<3, 3>(err::kExtrinsicPosition, 0).setIdentity();
+  by_extrinsic.block<3, 3>(err::kExtrinsicRotation, 3).setIdentity();
+  by_extrinsic.block<3, 3>(err::kPosition, 0) = -state.map_from_imu;
+  by_extrinsic.block<3, 3>(err::kPosition, 3) =
+      -state.map_from_imu * skew(state.lidar_in_imu) * state.imu_from_lidar;
+  by_extrinsic.block<3, 3>(err::kRotation, 3) = -state.imu_from_lidar;
+  by_extrinsic.block<2, 3>(err::kGravity, 3) =
+      s2_minus_jacobian(state.gravity_in_map) * skew(state.gravity_in_map) * in_map;
+  by_extrinsic.leftCols<3>() *= kExtrinsicSigma_m;
+  by_extrinsic.rightCols<3>() *= kExtrinsicSigma_rad;
+  estimate.covariance += by_extrinsic * by_extrinsic.transpose();
 }
 
 std::vector<Eigen::Vector3f> pick(const std::vector<LidarPoint>& points,
@@ -39,14 +59,7 @@ ScanFilter::ScanFilter(const OdometryOptions& options,
       estimate_(initial),
       time_(time),
       map_(options.local_map) {
-  if (options.filter.estimate_extrinsic) {
-    estimate_.covariance.diagonal()
-        .segment<3>(err::kExtrinsicPosition)
-        .setConstant(kExtrinsicSigma_m * kExtrinsicSigma_m);
-    estimate_.covariance.diagonal()
-        .segment<3>(err::kExtrinsicRotation)
-        .setConstant(kExtrinsicSigma_rad * kExtrinsicSigma_rad);
-  }
+  if (options.filter.estimate_extrinsic) loosen_extrinsic(estimate_);
 }
 
 ImuStep ScanFilter::bridged(ImuStep step) const {

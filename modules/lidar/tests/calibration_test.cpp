@@ -1,10 +1,12 @@
 #include "rig_fit.hpp"
 #include "simulated_drive.hpp"
+#include "street_world.hpp"
 
 #include <hybridfusion/lidar/calibration.hpp>
 
 #include <cmath>
 #include <numbers>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -86,6 +88,16 @@ TEST(RigCalibrator, RefusesAStandstill) {
   const auto found = calibrate(still, 0.0);
   ASSERT_FALSE(found);
   EXPECT_EQ(found.error().code, ErrorCode::kDegenerate);
+}
+
+TEST(RigCalibrator, RefusesAStraightDriveThatNeverTurns) {
+  // Houses of all sizes along a level road, steady speed from the first moment on.
+  testing::DriveWorld world = testing::lookalike_street(8.0);
+  world.pose = [](double t) { return Rigid3{.translation = {6.0 * t, 0.0, 1.2}}; };
+  const auto found = calibrate(testing::simulate_drive(world, 20.0, 3), 0.0);
+  ASSERT_FALSE(found);
+  EXPECT_EQ(found.error().code, ErrorCode::kDegenerate);
+  EXPECT_NE(found.error().message.find("figure-eight"), std::string::npos);
 }
 
 TEST(RigCalibrator, RefusesTooShortADriveAndBadOptions) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -84,26 +85,6 @@ TEST(LidarOdometry, IsAccurateOnTheIncrementalTreeToo) {
             tree.trajectory.poses.back().map_from_body.translation);
 }
 
-TEST(LidarOdometry, StartsWithoutAStandstill) {
-  SimulatedDrive drive = standard_drive();
-  const auto early = [](const auto& message) {
-    Timestamp time{};
-    if constexpr (requires { message.stamp; }) {
-      time = message.stamp;
-    } else {
-      time = message.time;
-    }
-    return seconds_in(time) < 5.0;
-  };
-  std::erase_if(drive.imu, early);
-  std::erase_if(drive.scans, early);
-  const Drive moving = run(drive);
-  EXPECT_FALSE(moving.summary.started_at_standstill);
-  EXPECT_FALSE(moving.summary.warnings.empty());
-  EXPECT_LT(moving.error_m, 0.03);
-  EXPECT_LT(moving.tilt_rad, 0.02);
-}
-
 TEST(LidarOdometry, DropsInvalidPointsAndCountsThem) {
   SimulatedDrive drive = standard_drive();
   for (LidarScan& scan : drive.scans) {
@@ -129,26 +110,6 @@ TEST(LidarOdometry, FlagsEmptyScansAndGoesOn) {
   EXPECT_EQ(broken.summary.num_unmatched_scans, 2U);
 }
 
-TEST(LidarOdometry, DoesNotCareForTheOrderOfPoints) {
-  SimulatedDrive drive = standard_drive();
-  for (LidarScan& scan : drive.scans) {
-    std::ranges::stable_sort(
-        scan.points, {}, [](const LidarPoint& point) { return point.ring; });  // ring-major driver
-  }
-  EXPECT_LT(run(drive).error_m, kCleanError_m);
-}
-
-TEST(LidarOdometry, BridgesAnImuGapOfOneSecondAndSaysSo) {
-  SimulatedDrive drive = standard_drive();
-  std::erase_if(drive.imu, [](const ImuSample& sample) {
-    return seconds_in(sample.time) > 6.0 && seconds_in(sample.time) < 7.0;
-  });
-  const Drive gap = run(drive);
-  EXPECT_TRUE(has(gap, ScanFlag::kImuGap));
-  EXPECT_EQ(gap.summary.num_imu_gaps, 1U);
-  EXPECT_LT(gap.error_m, 2.0 * kCleanError_m);
-}
-
 TEST(LidarOdometry, GoesOnWithoutImuWhenItEnds) {
   SimulatedDrive drive = standard_drive();
   std::erase_if(drive.imu, [](const ImuSample& s) { return seconds_in(s.time) > 9.0; });
@@ -157,17 +118,6 @@ TEST(LidarOdometry, GoesOnWithoutImuWhenItEnds) {
   EXPECT_TRUE(ended.summary.imu_ended);
   EXPECT_TRUE(has(ended, ScanFlag::kImuGap));
   EXPECT_LT(ended.error_m, 3.0 * kCleanError_m);
-}
-
-TEST(LidarOdometry, BridgesALidarGapOfTwoSecondsAndSaysSo) {
-  SimulatedDrive drive = standard_drive();
-  std::erase_if(drive.scans, [](const LidarScan& scan) {
-    return seconds_in(scan.stamp) > 6.0 && seconds_in(scan.stamp) < 8.0;
-  });
-  const Drive gap = run(drive);
-  EXPECT_TRUE(has(gap, ScanFlag::kLidarGap));
-  EXPECT_EQ(gap.summary.num_lidar_gaps, 1U);
-  EXPECT_LT(gap.error_m, 2.0 * kCleanError_m);
 }
 
 TEST(LidarOdometry, DropsOneScanWhoseStampWentBackOrFarAhead) {
@@ -220,36 +170,6 @@ TEST(LidarOdometry, FollowsAClockThatIsSetBack) {
   EXPECT_LT(trajectory_error_m(trajectory), 2.0 * kCleanError_m);
 }
 
-TEST(LidarOdometry, UnderstandsAnImuThatSpeaksInG) {
-  SimulatedDrive drive = standard_drive();
-  for (ImuSample& sample : drive.imu) sample.specific_force_mps2 /= 9.80665;
-  const Drive in_g = run(drive);
-  EXPECT_TRUE(in_g.summary.imu_in_g);
-  EXPECT_LT(in_g.error_m, 1.5 * kCleanError_m);
-}
-
-TEST(LidarOdometry, IsAsGoodWithHalfTheImuRate) {
-  SimulatedDrive drive = standard_drive();
-  std::vector<ImuSample> half;
-  for (std::size_t i = 0; i < drive.imu.size(); i += 2) half.push_back(drive.imu[i]);
-  drive.imu = half;
-  EXPECT_LT(run(drive).error_m, 1.5 * kCleanError_m);
-}
-
-TEST(LidarOdometry, FlagsScansWithoutPointTimes) {
-  SimulatedDrive drive = standard_drive();
-  for (LidarScan& scan : drive.scans) {
-    for (LidarPoint& point : scan.points) point.offset_ns = 0;
-  }
-  EXPECT_TRUE(has(run(drive), ScanFlag::kNoPointTimes));
-}
-
-TEST(LidarOdometry, FlagsASaturatedGyro) {
-  SimulatedDrive drive = standard_drive();
-  for (std::size_t i = 1200; i < 1240; ++i) drive.imu[i].angular_velocity_radps.z() = 4.36;
-  EXPECT_TRUE(has(run(drive), ScanFlag::kSaturated));
-}
-
 TEST(LidarOdometry, FlagsWhatOpenGroundDoesNotShow) {
   SimulatedDrive drive = standard_drive();
   for (LidarScan& scan : drive.scans) {
@@ -265,17 +185,21 @@ TEST(LidarOdometry, FlagsWhatOpenGroundDoesNotShow) {
   EXPECT_TRUE(std::isfinite(flat.error_m));
 }
 
-TEST(LidarOdometry, RefinesTheExtrinsicWhenAsked) {
-  SimulatedDrive drive = standard_drive();
+TEST(LidarOdometry, RefinesAMountingFiveDegreesAndTenCentimetresOff) {
+  SimulatedDrive drive = testing::simulate_drive(30.0, 1);
   const Rigid3 truth = drive.rig.imu_from_lidar;
-  const Eigen::AngleAxisd off(0.02, Eigen::Vector3d::UnitX());
+  const Eigen::AngleAxisd off(5.0 * std::numbers::pi / 180.0,
+                              Eigen::Vector3d(1.0, -0.7, 0.8).normalized());
   drive.rig.imu_from_lidar.rotation = truth.rotation * Eigen::Quaterniond(off);
+  drive.rig.imu_from_lidar.translation += Eigen::Vector3d(0.08, -0.06, 0.0);
   OdometryOptions options;
   options.filter.estimate_extrinsic = true;
   const Drive refined = run(drive, options);
-  // A few seconds of level driving show the tilt of the sensor only in part: a third must go.
-  EXPECT_LT(rotation_distance_rad(refined.imu_from_lidar.rotation, truth.rotation), 0.015);
-  EXPECT_LT(refined.error_m, kCleanError_m);
+  EXPECT_LT(rotation_distance_rad(refined.imu_from_lidar.rotation, truth.rotation),
+            0.3 * std::numbers::pi / 180.0);
+  EXPECT_LT((refined.imu_from_lidar.translation - truth.translation).head<2>().norm(), 0.02);
+  const Drive held = run(drive);
+  EXPECT_LT(refined.error_m, held.error_m);
 }
 
 TEST(LidarOdometry, RefusesWhatItCannotUse) {

@@ -36,12 +36,6 @@ void line_street(const Eigen::Vector2d& from,
   }
 }
 
-std::function<Rigid3(double)> drive_along(const std::vector<Eigen::Vector2d>& corners,
-                                          double speed_mps) {
-  const auto path = std::make_shared<RoundedPath>(corners, 8.0);
-  return [path, speed_mps](double t) { return path->pose_at(driven_m(t, speed_mps)); };
-}
-
 }  // namespace
 
 RoundedPath::RoundedPath(const std::vector<Eigen::Vector2d>& corners, double radius_m) {
@@ -101,6 +95,12 @@ double driven_m(double t, double speed_mps) {
   const double v = std::min(u, 1.0);
   const double ramp = v * v * v * v * (v * v - 3.0 * v + 2.5);
   return speed_mps * kRamp_s * (ramp + std::max(0.0, u - 1.0));
+}
+
+std::function<Rigid3(double)> drive_along(const std::vector<Eigen::Vector2d>& corners,
+                                          double speed_mps) {
+  const auto path = std::make_shared<RoundedPath>(corners, 8.0);
+  return [path, speed_mps](double t) { return path->pose_at(driven_m(t, speed_mps)); };
 }
 
 TunnelRound tunnel_round(std::uint64_t seed, double speed_mps) {

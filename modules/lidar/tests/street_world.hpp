@@ -2,6 +2,7 @@
 
 #include "simulated_drive.hpp"
 
+#include <functional>
 #include <vector>
 
 namespace hybridfusion::testing {
@@ -29,6 +30,10 @@ class RoundedPath {
 
 /// Distance driven after `t` seconds: 2 s of standstill, then a smooth start up to `speed_mps`.
 [[nodiscard]] double driven_m(double t, double speed_mps);
+
+/// The pose by seconds along corners rounded by 8 m, standing for the first 2 s.
+[[nodiscard]] std::function<Rigid3(double)> drive_along(const std::vector<Eigen::Vector2d>& corners,
+                                                        double speed_mps);
 
 /// A round of 680 m that starts in a street of irregular houses, turns twice, comes back through a
 /// straight tunnel of 180 m without any mark along its walls and ends in the first street. Rays

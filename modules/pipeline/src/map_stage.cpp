@@ -95,6 +95,7 @@ StageResult describe(const MappingResult& mapping,
                      {"num_degenerate_scans", mapping.odometry.num_degenerate_scans},
                      {"num_imu_gaps", mapping.odometry.num_imu_gaps},
                      {"num_lidar_gaps", mapping.odometry.num_lidar_gaps},
+                     {"longest_blind_s", mapping.longest_blind_s},
                      {"num_damaged_messages", recording.num_damaged_messages},
                      {"path_m", path_length_m(mapping.trajectory)},
                      {"mean_residual_m", residual_m},
@@ -107,7 +108,7 @@ StageResult describe(const MappingResult& mapping,
                      {"refine_rms_after_m", mapping.refine_rms_after_m},
                      {"gnss", gnss},
                      {"warnings", mapping.warnings}};
-  StageResult result{.json = to_text(json)};
+  StageResult result{.refused = !mapping.reliable, .json = to_text(json)};
   result.summary = {fmt::format("{} scans located over {:.0f} m, {} flagged, residual {:.3f} m",
                                 mapping.trajectory.poses.size(),
                                 path_length_m(mapping.trajectory),
@@ -119,6 +120,10 @@ StageResult describe(const MappingResult& mapping,
         fmt::format("{} places passed twice agree; odometry alone left them open by up to {:.2f} m",
                     mapping.num_loops,
                     mapping.max_loop_error_m));
+  }
+  if (!mapping.reliable) {
+    result.summary.push_back(fmt::format(
+        "not reliable: {:.1f} s without a scan located by its points", mapping.longest_blind_s));
   }
   if (recording.truncated) {
     result.summary.push_back("the recording is cut off; what precedes the cut was used");

@@ -33,7 +33,11 @@ struct MappingResult {
   std::size_t num_refine_planes = 0;
   double refine_rms_before_m = 0.0;  ///< Of points about common planes.
   double refine_rms_after_m = 0.0;
-  double level_correction_rad = 0.0;       ///< Turn that made the first level estimate final.
+  double level_correction_rad = 0.0;  ///< Turn that made the first level estimate final.
+  /// Longest time without a scan that was located by its points: the IMU alone went on.
+  double longest_blind_s = 0.0;
+  /// `longest_blind_s` is within OdometryOptions::max_blind_s; else what follows hangs on a guess.
+  bool reliable = true;
   std::vector<std::string> warnings = {};  ///< What a user should know, in full sentences.
 };
 

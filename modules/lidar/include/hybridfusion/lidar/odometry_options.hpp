@@ -391,6 +391,7 @@ struct OdometryOptions {
   double max_range_m = 100.0;
   double imu_time_offset_s = 0.0;
   int max_points_per_scan = 12000;
+  double max_blind_s = 5.0;
   LidarInitOptions init = {};
   LidarFilterOptions filter = {};
   LocalMapOptions local_map = {};
@@ -430,6 +431,14 @@ struct OptionFields<OdometryOptions> {
              .max = 1e7,
              .doc = "Denser scans keep every n-th point for refinement and dense map (12 bytes a "
                     "point are held until the end).",
+             .source = "ours"}},
+      Field{&T::max_blind_s,
+            {.key = "max_blind_s",
+             .unit = "s",
+             .min = 0.5,
+             .max = 1e6,
+             .doc = "A longer time without a scan that is located by its points makes the map "
+                    "unreliable (exit code 4).",
              .source = "ours"}},
       Field{&T::init, {.key = "init", .doc = "First state."}},
       Field{&T::filter, {.key = "filter", .doc = "Kalman filter."}},

@@ -66,7 +66,8 @@ struct PhotoInputs {
                                                        const PhotoInputs& inputs,
                                                        const RunContext& ctx);
 
-/// Module B: recording -> trajectory.tum, map.ply, quality.csv, gnss.json.
+/// Module B: recording -> trajectory.tum, map.ply, quality.csv, gnss.json. An unreliable drive (too
+/// long without a scan located by its points) is an outcome with `refused`; its files are written.
 /// @param sensors  Absent: sensors.yaml beside the recording when it exists.
 [[nodiscard]] Expected<StageOutcome> map_stage(Project& project,
                                                const std::filesystem::path& bag,
