@@ -86,18 +86,21 @@ class VoxelWinners {
 
   [[nodiscard]] std::size_t slot_of(std::uint64_t key) const {
     const std::size_t mask = slots_.size() - 1;
-    std::size_t at = static_cast<std::size_t>((key * 0x9E3779B97F4A7C15ULL) >> 20U) & mask;
+    // Fibonacci hashing: only the highest bits of the product depend on all bits of the key.
+    std::size_t at = (key * 0x9E3779B97F4A7C15ULL) >> shift_;
     while (slots_[at].distance2 >= 0.0F && slots_[at].key != key) at = (at + 1) & mask;
     return at;
   }
   void grow() {
     const std::vector<Slot> old = std::exchange(slots_, std::vector<Slot>(2 * slots_.size()));
+    --shift_;
     for (const Slot& slot : old) {
       if (slot.distance2 >= 0.0F) slots_[slot_of(slot.key)] = slot;
     }
   }
 
   std::vector<Slot> slots_ = std::vector<Slot>(4096);
+  unsigned shift_ = 64U - 12U;
   std::size_t num_voxels_ = 0;
 };
 
@@ -108,7 +111,7 @@ std::vector<std::size_t> thin(const std::vector<LidarPoint>& points, double voxe
   const auto inverse = static_cast<float>(1.0 / voxel_m);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Eigen::Array3f scaled = points[i].point_in_lidar.array() * inverse;
-    const Eigen::Array3f floor = scaled.unaryExpr(&floor_of);
+    const Eigen::Array3f floor = scaled.unaryExpr([](float value) { return floor_of(value); });
     const std::uint64_t key = voxel_key(floor.cast<int>());
     winners.offer(
         key, static_cast<std::uint32_t>(i), (scaled - floor - 0.5F).matrix().squaredNorm());

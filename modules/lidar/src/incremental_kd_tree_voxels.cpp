@@ -19,7 +19,7 @@ bool IncrementalKdTree::is_balanced(std::size_t num_heavier, std::size_t num_poi
 }
 
 Eigen::Array3f IncrementalKdTree::voxel_corner(const Eigen::Vector3f& point) const {
-  return (point * inverse_voxel_).array().unaryExpr(&floor_of);
+  return (point * inverse_voxel_).array().unaryExpr([](float value) { return floor_of(value); });
 }
 
 float IncrementalKdTree::off_center(const Eigen::Vector3f& point) const {

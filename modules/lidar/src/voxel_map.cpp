@@ -102,7 +102,7 @@ void VoxelMap::insert(std::span<const Eigen::Vector3f> points) {
          points.subspan(first, std::min(kBatch, points.size() - first))) {
       const Eigen::Array3f scaled = point.array() * inverse_cell_;
       if (!(largest_of(scaled) < static_cast<float>(kMaxIndex))) continue;
-      const Eigen::Array3f floor = scaled.unaryExpr(&floor_of);
+      const Eigen::Array3f floor = scaled.unaryExpr([](float value) { return floor_of(value); });
       const auto octant = (scaled - floor >= 0.5F).cast<int>();
       targets[count] = {.point = point,
                         .key = voxel_key(floor.cast<int>()),
@@ -209,7 +209,7 @@ void VoxelMap::nearest(const Eigen::Vector3f& query,
   NearestPoints best(count, radius_m, neighbors);
   const Eigen::Array3f scaled = query.array() * inverse_cell_;
   if (!(largest_of(scaled) < static_cast<float>(kMaxIndex) - 16.0F)) return;
-  const Eigen::Array3f floor = scaled.unaryExpr(&floor_of);
+  const Eigen::Array3f floor = scaled.unaryExpr([](float value) { return floor_of(value); });
   const float cell_m = 2.0F * voxel_m_;
   Search search{.query = query,
                 .home = floor.cast<int>(),
