@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,14 +34,33 @@ double thread_cpu_ms() {
   return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
 }
 
-/// VmHWM, not ru_maxrss: the latter inherits the peak of the parent process.
-double peak_memory_mib() {
+/// "VmRSS:", or "VmHWM:" for the peak; ru_maxrss inherits that of the parent process.
+double memory_mib(const std::string& what) {
   std::ifstream status("/proc/self/status");
   for (std::string line; std::getline(status, line);) {
-    if (line.starts_with("VmHWM:")) return std::stod(line.substr(6)) * 1024.0 / kMiB;
+    if (line.starts_with(what)) return std::stod(line.substr(what.size())) * 1024.0 / kMiB;
   }
   return 0.0;
 }
+
+/// Takes a sample of the resident memory each half minute of the recording.
+class MemoryLog {
+ public:
+  void note(const SensorMessage& message) {
+    const auto* scan = std::get_if<LidarScan>(&message);
+    if (scan == nullptr) return;
+    if (!start_) start_ = scan->stamp;
+    constexpr double kInterval_s = 30.0;
+    const double time_s = to_seconds(scan->stamp - *start_);
+    if (time_s < kInterval_s * static_cast<double>(samples_.size() + 1)) return;
+    samples_.push_back({.time_s = time_s, .mib = memory_mib("VmRSS:")});
+  }
+  [[nodiscard]] const std::vector<MemorySample>& samples() const { return samples_; }
+
+ private:
+  std::optional<Timestamp> start_ = {};
+  std::vector<MemorySample> samples_ = {};
+};
 
 double quantile(std::vector<double> values, double share) {
   if (values.empty()) return 0.0;
@@ -63,7 +83,7 @@ LidarRig read_rig(const SensorConfig& sensors) {
 struct Run {
   Trajectory trajectory = {};
   std::vector<ScanQuality> quality = {};
-  PointCloud map = {};
+  fs::path map = {};  // empty: none was made
 };
 
 void count(const std::vector<ScanQuality>& scans, Figures& figures) {
@@ -88,6 +108,7 @@ Expected<Run> run_filter(const OdometryOptions& options,
                          Figures& figures) {
   HF_TRY(LidarOdometry odometry, LidarOdometry::create(options, rig));
   Run run;
+  MemoryLog memory;
   std::vector<double> scan_ms;
   double spent_ms = 0.0;
   const auto collect = [&] {
@@ -102,6 +123,7 @@ Expected<Run> run_filter(const OdometryOptions& options,
   while (true) {
     HF_TRY(std::optional<SensorMessage> message, source.next());
     if (!message) break;
+    memory.note(*message);
     const double before_ms = thread_cpu_ms();
     if (const auto* imu = std::get_if<ImuSample>(&*message)) odometry.add_imu(*imu);
     if (auto* scan = std::get_if<LidarScan>(&*message)) odometry.add_scan(std::move(*scan));
@@ -110,33 +132,47 @@ Expected<Run> run_filter(const OdometryOptions& options,
   }
   if (auto finished = odometry.finish(); !finished) return std::unexpected(finished.error());
   collect();
+  figures.memory = memory.samples();
   figures.cpu_ms_median = quantile(scan_ms, 0.5);
   figures.cpu_ms_p95 = quantile(scan_ms, 0.95);
   return run;
 }
 
+/// As `hybridfusion map`: scans wait in a file, L goes out piece by piece.
 Expected<Run> run_offline(const OdometryOptions& options,
                           const LidarRig& rig,
+                          const fs::path& details,
                           ScanSource& source,
                           Figures& figures) {
-  HF_TRY(LidarMapper mapper, LidarMapper::create(options, rig));
+  HF_TRY(LidarMapper mapper, LidarMapper::create(options, rig, details));
+  MemoryLog memory;
   double spent_ms = 0.0;
   while (true) {
     HF_TRY(std::optional<SensorMessage> message, source.next());
     if (!message) break;
+    memory.note(*message);
     const double before_ms = thread_cpu_ms();
     mapper.add(*std::move(message));
     spent_ms += thread_cpu_ms() - before_ms;
   }
+  figures.memory = memory.samples();
+  const double read_mib = memory_mib("VmHWM:");
   const double before_ms = thread_cpu_ms();
-  HF_TRY(MappingResult mapping, mapper.finish({.num_threads = 1}));
+  Run run{.map = details / "offline.ply"};
+  HF_TRY(PlyPieceWriter map, PlyPieceWriter::create(run.map));
+  HF_TRY(MappingResult mapping,
+         mapper.finish({.num_threads = 1}, [&map](const PointCloud& piece) -> Expected<void> {
+           map.add(piece);
+           return {};
+         }));
+  if (auto written = map.commit(); !written) return std::unexpected(written.error());
   spent_ms += thread_cpu_ms() - before_ms;
-  const auto num_scans = static_cast<double>(mapping.quality.size());
-  figures.cpu_ms_median = spent_ms / std::max(1.0, num_scans);
+  figures.finish_mib = memory_mib("VmHWM:") - read_mib;
+  figures.cpu_ms_median = spent_ms / std::max(1.0, static_cast<double>(mapping.quality.size()));
   figures.cpu_ms_p95 = figures.cpu_ms_median;
-  return Run{.trajectory = std::move(mapping.trajectory),
-             .quality = std::move(mapping.quality),
-             .map = std::move(mapping.map)};
+  run.trajectory = std::move(mapping.trajectory);
+  run.quality = std::move(mapping.quality);
+  return run;
 }
 
 double startup_error_m(const Trajectory& truth,
@@ -175,6 +211,8 @@ Expected<void> judge_map(const PointCloud& map,
 }  // namespace
 
 nlohmann::json to_json(const Figures& f) {
+  nlohmann::json memory = nlohmann::json::array();
+  for (const MemorySample& sample : f.memory) memory.push_back({sample.time_s, sample.mib});
   return {{"num_scans", f.num_scans},
           {"num_flagged", f.num_flagged},
           {"points_per_scan", f.points_per_scan},
@@ -186,28 +224,38 @@ nlohmann::json to_json(const Figures& f) {
           {"cpu_ms_median", f.cpu_ms_median},
           {"cpu_ms_p95", f.cpu_ms_p95},
           {"memory_mib", f.memory_mib},
+          {"finish_mib", f.finish_mib},
+          {"memory", memory},
           {"map_median_m", f.map_median_m},
           {"map_p95_m", f.map_p95_m}};
 }
 
 Figures from_json(const nlohmann::json& json) {
   const auto number = [&](const char* key) { return json.at(key).get<double>(); };
-  return {.num_scans = json.at("num_scans").get<std::size_t>(),
-          .num_flagged = json.at("num_flagged").get<std::size_t>(),
-          .points_per_scan = number("points_per_scan"),
-          .ate_m = number("ate_m"),
-          .ate_max_m = number("ate_max_m"),
-          .rpe_1_s_m = number("rpe_1_s_m"),
-          .rpe_50_m_m = number("rpe_50_m_m"),
-          .startup_m = number("startup_m"),
-          .cpu_ms_median = number("cpu_ms_median"),
-          .cpu_ms_p95 = number("cpu_ms_p95"),
-          .memory_mib = number("memory_mib"),
-          .map_median_m = number("map_median_m"),
-          .map_p95_m = number("map_p95_m")};
+  Figures figures{.num_scans = json.at("num_scans").get<std::size_t>(),
+                  .num_flagged = json.at("num_flagged").get<std::size_t>(),
+                  .points_per_scan = number("points_per_scan"),
+                  .ate_m = number("ate_m"),
+                  .ate_max_m = number("ate_max_m"),
+                  .rpe_1_s_m = number("rpe_1_s_m"),
+                  .rpe_50_m_m = number("rpe_50_m_m"),
+                  .startup_m = number("startup_m"),
+                  .cpu_ms_median = number("cpu_ms_median"),
+                  .cpu_ms_p95 = number("cpu_ms_p95"),
+                  .memory_mib = number("memory_mib"),
+                  .finish_mib = number("finish_mib"),
+                  .map_median_m = number("map_median_m"),
+                  .map_p95_m = number("map_p95_m")};
+  for (const nlohmann::json& sample : json.at("memory")) {
+    figures.memory.push_back(
+        {.time_s = sample.at(0).get<double>(), .mib = sample.at(1).get<double>()});
+  }
+  return figures;
 }
 
-Expected<Figures> run_variant(const Variant& variant, const fs::path& folder) {
+Expected<Figures> run_variant(const Variant& variant,
+                              const fs::path& folder,
+                              const fs::path& details) {
   HF_TRY(const SensorConfig sensors, read_sensors_yaml(folder / "sensors.yaml"));
   const LidarRig rig = read_rig(sensors);
   Figures figures;
@@ -215,12 +263,12 @@ Expected<Figures> run_variant(const Variant& variant, const fs::path& folder) {
   {
     HF_TRY(const std::unique_ptr<ScanSource> source, open_recording(folder / "street.bag"));
     HF_TRY(run,
-           variant.offline ? run_offline(variant.options, rig, *source, figures)
+           variant.offline ? run_offline(variant.options, rig, details, *source, figures)
                            : run_filter(variant.options, rig, *source, figures));
   }
-  figures.memory_mib = peak_memory_mib();
+  figures.memory_mib = memory_mib("VmHWM:");
   count(run.quality, figures);
-  if (auto written = write_details(folder, variant.name, run); !written) {
+  if (auto written = write_details(details, variant.name, run); !written) {
     return std::unexpected(written.error());
   }
   HF_TRY(const Trajectory truth, read_tum(folder / "truth" / "trajectory_imu.tum"));
@@ -230,9 +278,12 @@ Expected<Figures> run_variant(const Variant& variant, const fs::path& folder) {
   figures.rpe_1_s_m = errors.over_1_s.translation_rmse_m;
   figures.rpe_50_m_m = errors.over_50_m.translation_rmse_m;
   figures.startup_m = startup_error_m(truth, run.trajectory, errors.truth_from_map);
-  if (!run.map.empty()) {
-    auto judged = judge_map(run.map, errors.truth_from_map, folder / "truth" / "mesh.ply", figures);
-    if (!judged) return std::unexpected(judged.error());
+  const fs::path mesh = folder / "truth" / "mesh.ply";
+  if (!run.map.empty() && fs::exists(mesh)) {
+    HF_TRY(const PointCloud map, read_ply(run.map));
+    if (auto judged = judge_map(map, errors.truth_from_map, mesh, figures); !judged) {
+      return std::unexpected(judged.error());
+    }
   }
   return figures;
 }

@@ -50,6 +50,19 @@ SimulationOptions tunnel() {
   return options;
 }
 
+/// Ten minutes and some ten laps around one small block: what still grows on known ground is a
+/// leak.
+SimulationOptions ten_minutes() {
+  SimulationOptions options = sixteen_lines();
+  options.world.blocks_x = 1;
+  options.world.size_m = 50.0;
+  options.lidar.columns = 600;
+  options.drive.route = "loop";
+  options.drive.loop_overlap_m = 1000.0;
+  options.drive.duration_s = 600.0;
+  return options;
+}
+
 }  // namespace
 
 const std::vector<DriveKind>& drive_kinds() {
@@ -78,7 +91,11 @@ const std::vector<DriveKind>& drive_kinds() {
        .text = "tunnel, 16 lines, 160 m straight",
        .goals = {.filter_ate_m = 0.06, .offline_ate_m = 0.04},
        .fast_lio = {.ate_m = 0.078, .cpu_ms_median = 11, .cpu_ms_p95 = 13, .memory_mib = 174},
-       .simulation = tunnel()}};
+       .simulation = tunnel()},
+      {.name = "long",
+       .text = "16 lines of 600 rays, ten minutes, several laps: memory over time; on request",
+       .unasked = false,
+       .simulation = ten_minutes()}};
   return kinds;
 }
 

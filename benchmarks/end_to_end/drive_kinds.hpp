@@ -5,7 +5,6 @@
 
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace hybridfusion::benchmark {
@@ -27,8 +26,9 @@ struct Reference {
 
 /// A kind of drive: how it is simulated and what is asked of it.
 struct DriveKind {
-  std::string_view name = {};
-  std::string_view text = {};
+  std::string name = {};
+  std::string text = {};
+  bool unasked = true;  ///< Part of the table that is printed without --only.
   Goals goals = {};
   Reference fast_lio = {};
   SimulationOptions simulation = {};

@@ -19,7 +19,8 @@ struct Row {
   Figures figures = {};
 };
 
-/// Markdown: one line a run, the goals and the reference behind each kind.
+/// Markdown: one line a run, the goals and the reference behind each kind; below, memory over time
+/// where a recording is long.
 [[nodiscard]] std::string table(const std::vector<Row>& rows);
 [[nodiscard]] nlohmann::json table_json(const std::vector<Row>& rows);
 

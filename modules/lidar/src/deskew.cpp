@@ -3,7 +3,7 @@
 #include <hybridfusion/geometry/voxel_grid.hpp>
 
 #include <algorithm>
-#include <bit>
+#include <utility>
 
 namespace hybridfusion {
 
@@ -53,32 +53,70 @@ void deskew(const std::vector<LidarPoint>& points,
   }
 }
 
-std::vector<std::size_t> thin(const std::vector<LidarPoint>& points, double voxel_m) {
+namespace {
+
+/// The point nearest to the centre of each voxel, in an open-addressing table that grows with the
+/// number of voxels: a scan has far fewer of them than points, and few fit into the cache.
+class VoxelWinners {
+ public:
+  void offer(std::uint64_t key, std::uint32_t index, float distance2) {
+    Slot& slot = slots_[slot_of(key)];
+    const bool is_new = slot.distance2 < 0.0F;
+    if (is_new || distance2 < slot.distance2) {
+      slot = {.key = key, .index = index, .distance2 = distance2};
+    }
+    if (is_new && 2 * ++num_voxels_ > slots_.size()) grow();
+  }
+  [[nodiscard]] std::vector<std::size_t> indices() const {
+    std::vector<std::size_t> kept;
+    kept.reserve(num_voxels_);
+    for (const Slot& slot : slots_) {
+      if (slot.distance2 >= 0.0F) kept.push_back(slot.index);
+    }
+    std::ranges::sort(kept);
+    return kept;
+  }
+
+ private:
   struct Slot {
     std::uint64_t key = 0;
     std::uint32_t index = 0;
     float distance2 = -1.0F;  // < 0: empty
   };
-  std::vector<Slot> slots(std::bit_ceil(2 * points.size() + 2));
-  const std::size_t mask = slots.size() - 1;
+
+  [[nodiscard]] std::size_t slot_of(std::uint64_t key) const {
+    const std::size_t mask = slots_.size() - 1;
+    // Fibonacci hashing: only the highest bits of the product depend on all bits of the key.
+    std::size_t at = (key * 0x9E3779B97F4A7C15ULL) >> shift_;
+    while (slots_[at].distance2 >= 0.0F && slots_[at].key != key) at = (at + 1) & mask;
+    return at;
+  }
+  void grow() {
+    const std::vector<Slot> old = std::exchange(slots_, std::vector<Slot>(2 * slots_.size()));
+    --shift_;
+    for (const Slot& slot : old) {
+      if (slot.distance2 >= 0.0F) slots_[slot_of(slot.key)] = slot;
+    }
+  }
+
+  std::vector<Slot> slots_ = std::vector<Slot>(4096);
+  unsigned shift_ = 64U - 12U;
+  std::size_t num_voxels_ = 0;
+};
+
+}  // namespace
+
+std::vector<std::size_t> thin(const std::vector<LidarPoint>& points, double voxel_m) {
+  VoxelWinners winners;
   const auto inverse = static_cast<float>(1.0 / voxel_m);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Eigen::Array3f scaled = points[i].point_in_lidar.array() * inverse;
-    const Eigen::Array3f floor = scaled.floor();
+    const Eigen::Array3f floor = scaled.unaryExpr([](float value) { return floor_of(value); });
     const std::uint64_t key = voxel_key(floor.cast<int>());
-    const float distance2 = (scaled - floor - 0.5F).matrix().squaredNorm();
-    std::size_t at = static_cast<std::size_t>((key * 0x9E3779B97F4A7C15ULL) >> 20U) & mask;
-    while (slots[at].distance2 >= 0.0F && slots[at].key != key) at = (at + 1) & mask;
-    if (slots[at].distance2 < 0.0F || distance2 < slots[at].distance2) {
-      slots[at] = {.key = key, .index = static_cast<std::uint32_t>(i), .distance2 = distance2};
-    }
+    winners.offer(
+        key, static_cast<std::uint32_t>(i), (scaled - floor - 0.5F).matrix().squaredNorm());
   }
-  std::vector<std::size_t> kept;
-  for (const Slot& slot : slots) {
-    if (slot.distance2 >= 0.0F) kept.push_back(slot.index);
-  }
-  std::ranges::sort(kept);
-  return kept;
+  return winners.indices();
 }
 
 }  // namespace hybridfusion

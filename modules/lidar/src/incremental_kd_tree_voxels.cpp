@@ -11,12 +11,6 @@ namespace {
 // A division looks at this many counts of points at a time.
 constexpr int kNumBins = 64;
 
-float floor_of(float value) {
-  // std::floor is a call on processors without SSE 4.1.
-  const auto truncated = static_cast<float>(static_cast<int>(value));
-  return truncated - static_cast<float>(truncated > value);
-}
-
 }  // namespace
 
 bool IncrementalKdTree::is_balanced(std::size_t num_heavier, std::size_t num_points) {
@@ -25,7 +19,7 @@ bool IncrementalKdTree::is_balanced(std::size_t num_heavier, std::size_t num_poi
 }
 
 Eigen::Array3f IncrementalKdTree::voxel_corner(const Eigen::Vector3f& point) const {
-  return (point * inverse_voxel_).array().unaryExpr(&floor_of);
+  return (point * inverse_voxel_).array().unaryExpr([](float value) { return floor_of(value); });
 }
 
 float IncrementalKdTree::off_center(const Eigen::Vector3f& point) const {

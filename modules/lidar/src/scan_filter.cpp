@@ -40,11 +40,18 @@ void loosen_extrinsic(StateEstimate& estimate) {
   estimate.covariance += by_extrinsic * by_extrinsic.transpose();
 }
 
-std::vector<Eigen::Vector3f> pick(const std::vector<LidarPoint>& points,
-                                  const std::vector<std::size_t>& indices) {
-  std::vector<Eigen::Vector3f> out;
+std::vector<LidarPoint> pick(const std::vector<LidarPoint>& points,
+                             const std::vector<std::size_t>& indices) {
+  std::vector<LidarPoint> out;
   out.reserve(indices.size());
-  for (const std::size_t i : indices) out.push_back(points[i].point_in_lidar);
+  for (const std::size_t i : indices) out.push_back(points[i]);
+  return out;
+}
+
+std::vector<Eigen::Vector3f> positions(const std::vector<LidarPoint>& points) {
+  std::vector<Eigen::Vector3f> out;
+  out.reserve(points.size());
+  for (const LidarPoint& point : points) out.push_back(point.point_in_lidar);
   return out;
 }
 
@@ -95,18 +102,22 @@ ScanEstimate ScanFilter::process(const PreparedScan& scan, const ImuBuffer& imu)
   std::vector<ImuStep> steps = imu.steps(scan.begin, scan.end);
   for (ImuStep& step : steps) step = bridged(step);
   const std::int64_t end_ns = (scan.end - scan.stamp).count();
-  const auto deskew_to = [&](const NavState& end) {
-    deskew(scan.points, path_before(end, steps), end, end_ns, out.deskewed);
+  const auto deskew_to = [&](const NavState& end,
+                             const std::vector<LidarPoint>& points,
+                             std::vector<LidarPoint>& moved) {
+    deskew(points, path_before(end, steps), end, end_ns, moved);
   };
-  deskew_to(estimate_.state);
+  deskew_to(estimate_.state, scan.points, out.deskewed);
   bool usable = true;
   if (map_.size() >= kMinMapPoints) {
     const std::vector<std::size_t> chosen = thin(out.deskewed, options_.filter.scan_voxel_m);
+    const std::vector<LidarPoint> measured = pick(scan.points, chosen);
+    std::vector<LidarPoint> moved = pick(out.deskewed, chosen);
     ScanMatcher matcher(map_, options_.filter);
-    matcher.set_points(pick(out.deskewed, chosen));
+    matcher.set_points(positions(moved));
     const auto repeat_deskew = [&](const NavState& end, ScanMatcher& points) {
-      deskew_to(end);
-      points.update_points(pick(out.deskewed, chosen));
+      deskew_to(end, measured, moved);
+      points.update_points(positions(moved));
     };
     const UpdateReport report = iterated_update(options_.filter, repeat_deskew, matcher, estimate_);
     out.quality.num_matched = report.num_matched;
@@ -114,7 +125,7 @@ ScanEstimate ScanFilter::process(const PreparedScan& scan, const ImuBuffer& imu)
     out.quality.min_information = report.min_information;
     out.quality.flags |= report.flags;
     usable = (report.flags & (bit(ScanFlag::kUnmatched) | bit(ScanFlag::kDiverged))) == 0;
-    deskew_to(estimate_.state);
+    deskew_to(estimate_.state, scan.points, out.deskewed);
   }
   if (usable) extend_map(out.deskewed);
   if (out.since_last.duration_s > 0.0) {

@@ -92,24 +92,45 @@ void VoxelMap::rehash(std::size_t num_slots) {
 }
 
 void VoxelMap::insert(std::span<const Eigen::Vector3f> points) {
-  for (const Eigen::Vector3f& point : points) insert(point);
+  // Neighbours in time lie far apart in the map. Going through a batch three times lets the memory
+  // fetch slots and cells of many points at once.
+  constexpr std::size_t kBatch = 32;
+  std::array<Target, kBatch> targets;
+  for (std::size_t first = 0; first < points.size(); first += kBatch) {
+    std::size_t count = 0;
+    for (const Eigen::Vector3f& point :
+         points.subspan(first, std::min(kBatch, points.size() - first))) {
+      const Eigen::Array3f scaled = point.array() * inverse_cell_;
+      if (!(largest_of(scaled) < static_cast<float>(kMaxIndex))) continue;
+      const Eigen::Array3f floor = scaled.unaryExpr([](float value) { return floor_of(value); });
+      const auto octant = (scaled - floor >= 0.5F).cast<int>();
+      targets[count] = {.point = point,
+                        .key = voxel_key(floor.cast<int>()),
+                        .slot = octant.x() + 2 * octant.y() + 4 * octant.z()};
+      __builtin_prefetch(&slots_[hash_of(targets[count].key) & (slots_.size() - 1)]);
+      ++count;
+    }
+    const std::span<Target> batch = std::span(targets).first(count);
+    for (Target& target : batch) {
+      target.cell = find_or_add(target.key);
+      __builtin_prefetch(&cells_[target.cell].points[target.slot]);
+      __builtin_prefetch(&cells_[target.cell].counts);
+    }
+    for (const Target& target : batch) add(target);
+  }
 }
 
-void VoxelMap::insert(const Eigen::Vector3f& point) {
-  const Eigen::Array3f scaled = point.array() * inverse_cell_;
-  if (!(largest_of(scaled) < static_cast<float>(kMaxIndex))) return;
-  const Eigen::Array3f floor = scaled.floor();
-  Cell& cell = cells_[find_or_add(voxel_key(floor.cast<int>()))];
-  const auto octant = (scaled - floor >= 0.5F).cast<int>();
-  const int slot = octant.x() + 2 * octant.y() + 4 * octant.z();
-  std::uint8_t& count = cell.counts[slot];
+void VoxelMap::add(const Target& target) {
+  Cell& cell = cells_[target.cell];
+  std::uint8_t& count = cell.counts[target.slot];
+  Eigen::Vector3f& mean = cell.points[target.slot];
   if (count == 0) {
     ++num_points_;
-    cell.points[slot] = point;
+    mean = target.point;
     count = 1;
   } else if (count < kMaxCount) {
     ++count;
-    cell.points[slot] += (point - cell.points[slot]) / static_cast<float>(count);
+    mean += (target.point - mean) / static_cast<float>(count);
   }
 }
 
@@ -188,10 +209,11 @@ void VoxelMap::nearest(const Eigen::Vector3f& query,
   NearestPoints best(count, radius_m, neighbors);
   const Eigen::Array3f scaled = query.array() * inverse_cell_;
   if (!(largest_of(scaled) < static_cast<float>(kMaxIndex) - 16.0F)) return;
+  const Eigen::Array3f floor = scaled.unaryExpr([](float value) { return floor_of(value); });
   const float cell_m = 2.0F * voxel_m_;
   Search search{.query = query,
-                .home = scaled.floor().cast<int>(),
-                .in_cell = (scaled - scaled.floor()).matrix() * cell_m,
+                .home = floor.cast<int>(),
+                .in_cell = (scaled - floor).matrix() * cell_m,
                 .cell_m = cell_m,
                 .best = best};
   search_nearest_cells(search);

@@ -47,8 +47,15 @@ class VoxelMap {
     std::uint32_t cell = kNone;
   };
   struct Search;
+  /// Where a point goes.
+  struct Target {
+    Eigen::Vector3f point = Eigen::Vector3f::Zero();
+    std::uint64_t key = 0;
+    int slot = 0;            // in its cell
+    std::uint32_t cell = 0;  // its index
+  };
 
-  void insert(const Eigen::Vector3f& point);
+  void add(const Target& target);
   void search_nearest_cells(Search& search) const;
   void search_ring(int ring, Search& search) const;
   void search_cell(const Eigen::Vector3i& offset, Search& search) const;

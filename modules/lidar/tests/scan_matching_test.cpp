@@ -6,7 +6,12 @@
 #include <hybridfusion/core/random.hpp>
 #include <hybridfusion/lidar/odometry.hpp>
 
+#include <algorithm>
+#include <array>
 #include <limits>
+#include <map>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -235,6 +240,30 @@ TEST(Thin, KeepsThePointNearestToEachVoxelCentre) {
   points[3].point_in_lidar = {0.1F, 0.5F, 0.5F};
   EXPECT_EQ(thin(points, 1.0), (std::vector<std::size_t>{1, 2}));
   EXPECT_TRUE(thin({}, 1.0).empty());
+}
+
+TEST(Thin, KeepsTheNearestToTheCentreOfManyVoxels) {
+  Random random(4, "test/thin");
+  std::vector<LidarPoint> points(20'000);
+  for (LidarPoint& point : points) {
+    for (int axis = 0; axis < 3; ++axis) {
+      point.point_in_lidar[axis] = static_cast<float>(random.uniform(-10.0, 10.0));
+    }
+  }
+  std::map<std::array<int, 3>, std::pair<float, std::size_t>> nearest;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Eigen::Array3f floor = points[i].point_in_lidar.array().floor();
+    const float distance2 = (points[i].point_in_lidar.array() - floor - 0.5F).square().sum();
+    const std::array voxel{
+        static_cast<int>(floor.x()), static_cast<int>(floor.y()), static_cast<int>(floor.z())};
+    const auto [at, added] = nearest.try_emplace(voxel, distance2, i);
+    if (!added && distance2 < at->second.first) at->second = {distance2, i};
+  }
+  std::vector<std::size_t> expected;
+  for (const auto& [voxel, winner] : nearest) expected.push_back(winner.second);
+  std::ranges::sort(expected);
+  EXPECT_GT(expected.size(), 6000U);
+  EXPECT_EQ(thin(points, 1.0), expected);
 }
 
 }  // namespace
