@@ -72,6 +72,12 @@ inline constexpr const char* kRecordingHelp =
     "Recording of LiDAR, IMU and GNSS: ROS 1 .bag, ROS 2 bag folder, .db3 or .mcap, one of these "
     "as .zst, or a folder of .pcd scans with imu.csv";
 
+/// What --poses takes.
+inline constexpr const char* kPosesHelp =
+    "Folder of a COLMAP text model (cameras.txt, images.txt, points3D.txt) whose poses are used as "
+    "they are; placed by the photos' GNSS, or by origin.json beside it when it is in metres east, "
+    "north, up";
+
 /// The end of every --help: what the command reads and writes, an example, and the options common
 /// to all commands.
 [[nodiscard]] std::string help_footer(const std::string& example,

@@ -25,11 +25,7 @@ void add_reconstruct_command(CLI::App& app, Command& chosen) {
   auto arguments = std::make_shared<ReconstructArguments>();
   command->add_option("--images", arguments->images, "Folder of JPEG photos with GNSS")->required();
   command->add_option("--output", arguments->output, "Workspace folder")->required();
-  command->add_option("--poses",
-                      arguments->poses,
-                      "Folder of a COLMAP text model (cameras.txt, images.txt, points3D.txt) whose "
-                      "poses are used as they are; placed by the photos' GNSS, or by origin.json "
-                      "beside it when it is in metres east, north, up");
+  command->add_option("--poses", arguments->poses, kPosesHelp);
   command->footer(
       help_footer("hybridfusion reconstruct --images flight/ --output result/",
                   "IMAGES: *.jpg, *.jpeg with GNSS and focal length in EXIF or XMP",

@@ -17,6 +17,7 @@ struct RunArguments {
   std::string sensors = {};
   std::string truth = {};
   std::string from = {};
+  std::string poses = {};
 };
 
 std::optional<std::filesystem::path> optional_path(const std::string& text) {
@@ -36,7 +37,9 @@ int run(const RunArguments& arguments, Session& session) {
       session,
       arguments.output,
       stages_from(arguments.from),
-      {[&](Project& project) { return reconstruct_stage(project, arguments.images, ctx); },
+      {[&](Project& project) {
+         return reconstruct_stage(project, arguments.images, ctx, optional_path(arguments.poses));
+       },
        [&](Project& project) {
          return map_stage(project, arguments.bag, optional_path(arguments.sensors), ctx);
        },
@@ -64,6 +67,7 @@ void add_run_command(CLI::App& app, Command& chosen) {
   command->add_option("--output", arguments->output, "Workspace folder")->required();
   command->add_option(
       "--sensors", arguments->sensors, "sensors.yaml (default: the one beside the bag)");
+  command->add_option("--poses", arguments->poses, kPosesHelp);
   command->add_option("--truth", arguments->truth, "Truth folder to evaluate against");
   command->add_option("--from", arguments->from, "Run this stage and all behind it again")
       ->check(CLI::IsMember(std::vector<std::string>(kStages.begin(), kStages.end())));
