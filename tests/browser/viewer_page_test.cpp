@@ -179,6 +179,29 @@ TEST_F(ViewerPage, TheSliderMovesTheLidarCloudAndEveryKeyIsHarmless) {
   EXPECT_THAT(browser_->errors(), IsEmpty());
 }
 
+TEST_F(ViewerPage, MeasuringDrawsTheLineOverTheCloud) {
+  write_sample_workspace(folder_ / "ws");
+  start();
+  click("measure");
+  const Image8 without = browser_->screenshot();
+  const auto press = [&](int x, int y) {
+    std::string script = "(() => { const c = document.getElementById('view');";
+    for (const char* event : {"pointerdown", "pointerup", "click"}) {
+      script.append("c.dispatchEvent(new PointerEvent('").append(event);
+      script.append("', {clientX: ").append(std::to_string(x)).append(", clientY: ");
+      script.append(std::to_string(y)).append(", bubbles: true, button: 0, pointerId: 1}));");
+    }
+    (void)browser_->evaluate(script + "})()");
+    ASSERT_TRUE(browser_->wait_for(kIdle, kPatience_s));
+  };
+  press(560, 330);
+  press(700, 360);
+  EXPECT_THAT(
+      browser_->evaluate("document.getElementById('message').textContent").get<std::string>(),
+      HasSubstr("horizontal"));
+  EXPECT_GT(mean_difference(without, browser_->screenshot()), 0.02) << "no line is seen";
+}
+
 TEST_F(ViewerPage, WorksWithPhotosOrLidarAlone) {
   write_sample_workspace(folder_ / "ws");
   for (const char* gone : {"lidar", "fused", "registration", "evaluation"}) {

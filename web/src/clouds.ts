@@ -17,7 +17,7 @@ type Stops = [number, Color][];
 // Near is calm, far is loud; what the other sensor never saw stays grey.
 const DISTANCE_GRADIENT: Stops = [
   [0.0, new Color('#2c7bb6')], [0.1, new Color('#00a6ca')], [0.25, new Color('#7dd181')], [0.45, new Color('#f9d057')],
-  [0.7, new Color('#e76818')], [0.97, new Color('#d7191c')], [1.0, new Color('#6b7280')],
+  [0.65, new Color('#e76818')], [0.9, new Color('#d7191c')], [0.94, new Color('#6b7280')], [1.0, new Color('#6b7280')],
 ];
 const HEIGHT_GRADIENT: Stops = [
   [0.0, new Color('#30466e')], [0.2, new Color('#2a788e')], [0.4, new Color('#22a884')], [0.6, new Color('#7ad151')],

@@ -22,7 +22,7 @@ const std::vector<Chapter>& chapters() {
   static const std::vector<Chapter> kChapters = {
       {"result", "Result", {fusion_figures, metric_figures, overlap_figures}},
       {"vision", "Photos", {photo_figures, camera_figures}},
-      {"lidar", "LiDAR and IMU", {lidar_figures}},
+      {"lidar", "LiDAR and IMU", {lidar_figures, profile_figures}},
       {"registration", "Registration", {registration_figures, section_figures, patch_figures}}};
   return kChapters;
 }
