@@ -194,11 +194,14 @@ TEST_F(ViewerPage, MeasuringDrawsTheLineOverTheCloud) {
     (void)browser_->evaluate(script + "})()");
     ASSERT_TRUE(browser_->wait_for(kIdle, kPatience_s));
   };
-  press(560, 330);
-  press(700, 360);
-  EXPECT_THAT(
-      browser_->evaluate("document.getElementById('message').textContent").get<std::string>(),
-      HasSubstr("horizontal"));
+  const auto said = [&] {
+    return browser_->evaluate("document.getElementById('message').textContent").get<std::string>();
+  };
+  // Not every place has a point under it.
+  for (int x = 420; x < 820 && said().find("horizontal") == std::string::npos; x += 50) {
+    press(x, 330);
+  }
+  EXPECT_THAT(said(), HasSubstr("horizontal"));
   EXPECT_GT(mean_difference(without, browser_->screenshot()), 0.02) << "no line is seen";
 }
 
