@@ -4,7 +4,9 @@
 #include <hybridfusion/pipeline/stages.hpp>
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -71,6 +73,19 @@ inline constexpr std::string_view kSimulationPrefix = "simulation.";
 inline constexpr const char* kRecordingHelp =
     "Recording of LiDAR, IMU and GNSS: ROS 1 .bag, ROS 2 bag folder, .db3 or .mcap, one of these "
     "as .zst, or a folder of .pcd scans with imu.csv";
+
+/// Absent for an option that was not given.
+[[nodiscard]] std::optional<std::filesystem::path> optional_path(const std::string& text);
+
+/// What `run` and `reconstruct` know of photos.
+struct PhotoArguments {
+  std::string images = {};
+  std::string poses = {};
+  std::string geo = {};
+  std::string gcp = {};
+};
+void add_photo_options(CLI::App& command, PhotoArguments& arguments);
+[[nodiscard]] PhotoInputs photo_inputs(const PhotoArguments& arguments);
 
 /// The end of every --help: what the command reads and writes, an example, and the options common
 /// to all commands.

@@ -1,12 +1,12 @@
 #include "cli.hpp"
 
+#include <hybridfusion/io/convert_cloud.hpp>
 #include <hybridfusion/io/kitti.hpp>
-#include <hybridfusion/io/point_cloud_file.hpp>
-#include <hybridfusion/io/surface_raster.hpp>
 #include <hybridfusion/io/tum.hpp>
 #include <hybridfusion/pipeline/workspace.hpp>
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -27,8 +27,15 @@ struct ConvertArguments {
   std::string ortho = {};
   std::string origin = {};
   std::string crs = {};
+  std::string encoding = "default";
   SurfaceRasterOptions raster = {};
 };
+
+const std::map<std::string, CloudEncoding> kEncodings = {
+    {"default", CloudEncoding::kDefault},
+    {"ascii", CloudEncoding::kAscii},
+    {"binary", CloudEncoding::kBinary},
+    {"compressed", CloudEncoding::kCompressed}};
 
 void print_json(const Json& json) {
   fmt::print("{}\n", json.dump(1, ' ', false, Json::error_handler_t::replace));
@@ -91,49 +98,36 @@ int convert_trajectory(const ConvertArguments& arguments, Session& session) {
   return std::nullopt;
 }
 
-Expected<PlacedCloud> placed_cloud(const ConvertArguments& arguments) {
-  HF_TRY(PlacedCloud placed, read_placed_cloud(arguments.in));
-  const auto origin_path = find_origin(arguments);
-  if (!origin_path) {
-    if (arguments.crs.empty()) return placed;
+Expected<CloudConversion> conversion_of(const ConvertArguments& arguments) {
+  CloudConversion conversion = {.in = arguments.in,
+                                .out = optional_path(arguments.out),
+                                .dsm = optional_path(arguments.dsm),
+                                .ortho = optional_path(arguments.ortho),
+                                .encoding = kEncodings.at(arguments.encoding),
+                                .raster = arguments.raster,
+                                .keep_placed = arguments.origin.empty() && arguments.crs.empty()};
+  if (const auto origin_path = find_origin(arguments)) {
+    HF_TRY(const GeodeticOrigin origin, read_origin(*origin_path));
+    conversion.georeference = Georeference{.origin = origin, .crs = arguments.crs};
+  } else if (!arguments.crs.empty()) {
     return fail(
         ErrorCode::kInvalidOptions,
         fmt::format("{}: --crs needs to know where the cloud lies; give --origin", arguments.in));
   }
-  if (!placed.offset_m.isZero() || !placed.crs.name.empty()) {
-    if (arguments.origin.empty() && arguments.crs.empty()) return placed;
-    return fail(ErrorCode::kInvalidOptions,
-                fmt::format("{}: the cloud is in a coordinate system already ({}); --origin and "
-                            "--crs are for clouds in metres east, north, up",
-                            arguments.in,
-                            placed.crs.name.empty() ? "large coordinates" : placed.crs.name));
-  }
-  HF_TRY(const GeodeticOrigin origin, read_origin(*origin_path));
-  return project_cloud(std::move(placed.cloud), {.origin = origin, .crs = arguments.crs});
-}
-
-Expected<void> write_rasters(const ConvertArguments& arguments, const PlacedCloud& placed) {
-  if (arguments.dsm.empty() && arguments.ortho.empty()) return {};
-  HF_TRY(const SurfaceRaster raster, make_surface_raster(placed, arguments.raster));
-  if (!arguments.dsm.empty()) {
-    if (auto written = write_dsm(arguments.dsm, raster); !written) return written;
-  }
-  if (arguments.ortho.empty()) return {};
-  return write_orthophoto(arguments.ortho, raster);
+  return conversion;
 }
 
 void print_result(const ConvertArguments& arguments,
-                  const PlacedCloud& placed,
-                  bool offset_kept,
+                  const ConvertedCloud& done,
                   const Session& session) {
-  const Eigen::Vector3d& offset_m = placed.offset_m;
+  const Eigen::Vector3d& offset_m = done.offset_m;
   if (session.globals.json) {
-    Json json = {{"status", "ok"}, {"num_points", placed.cloud.size()}};
+    Json json = {{"status", "ok"}, {"num_points", done.num_points}};
     if (!arguments.out.empty()) json["output"] = arguments.out;
     if (!arguments.dsm.empty()) json["dsm"] = arguments.dsm;
     if (!arguments.ortho.empty()) json["ortho"] = arguments.ortho;
-    if (!placed.crs.name.empty()) json["crs"] = placed.crs.name;
-    if (!offset_kept) json["subtracted_m"] = {offset_m.x(), offset_m.y(), offset_m.z()};
+    if (!done.crs.name.empty()) json["crs"] = done.crs.name;
+    if (!done.keeps_offset) json["subtracted_m"] = {offset_m.x(), offset_m.y(), offset_m.z()};
     print_json(json);
     return;
   }
@@ -141,11 +135,11 @@ void print_result(const ConvertArguments& arguments,
     if (file.empty()) continue;
     fmt::print("{}: {} points{}{}\n",
                file,
-               placed.cloud.size(),
-               placed.crs.name.empty() ? "" : ", ",
-               placed.crs.name);
+               done.num_points,
+               done.crs.name.empty() ? "" : ", ",
+               done.crs.name);
   }
-  if (!offset_kept) {
+  if (!done.keeps_offset) {
     fmt::print("{}: ({}, {}, {}) m were subtracted from the coordinates\n",
                arguments.out,
                offset_m.x(),
@@ -154,29 +148,22 @@ void print_result(const ConvertArguments& arguments,
   }
 }
 
-int convert_cloud(const ConvertArguments& arguments, Session& session) {
+int convert_points(const ConvertArguments& arguments, Session& session) {
   if (arguments.out.empty() && arguments.dsm.empty() && arguments.ortho.empty()) {
     return wrong_usage(session, "nothing to write: give OUT, --dsm or --ortho");
   }
-  const auto placed = placed_cloud(arguments);
-  if (!placed) return report_error(session, placed.error());
-  for (const std::string& warning : placed->warnings) session.context.warn(warning);
-  bool offset_kept = true;
-  if (!arguments.out.empty()) {
-    const auto kept = write_placed_cloud(arguments.out, *placed);
-    if (!kept) return report_error(session, kept.error());
-    offset_kept = *kept;
-  }
-  if (const auto written = write_rasters(arguments, *placed); !written) {
-    return report_error(session, written.error());
-  }
-  print_result(arguments, *placed, offset_kept, session);
+  const auto conversion = conversion_of(arguments);
+  if (!conversion) return report_error(session, conversion.error());
+  const auto done = convert_cloud(*conversion, session.context);
+  if (!done) return report_error(session, done.error());
+  for (const std::string& warning : done->warnings) session.context.warn(warning);
+  print_result(arguments, *done, session);
   return kDone;
 }
 
 int convert(const ConvertArguments& arguments, Session& session) {
   return is_trajectory(arguments.in) ? convert_trajectory(arguments, session)
-                                     : convert_cloud(arguments, session);
+                                     : convert_points(arguments, session);
 }
 
 }  // namespace
@@ -185,11 +172,18 @@ void add_convert_command(CLI::App& app, Command& chosen) {
   CLI::App* command = app.add_subcommand(
       "convert",
       "Formats by extension. Clouds: reads .ply .pcd .las .xyz .txt .csv .pts, writes .ply .pcd "
-      ".xyz .las; of .ply and .pcd, coordinates of 10 km and more are taken relative to whole "
-      "kilometres. Trajectories: .tum and .kitti. Maps from above: --dsm and --ortho.");
+      ".xyz .las, of any size; of .ply and .pcd, coordinates of 10 km and more are taken relative "
+      "to "
+      "whole kilometres. Trajectories: .tum and .kitti. Maps from above: --dsm and --ortho.");
   auto arguments = std::make_shared<ConvertArguments>();
   command->add_option("in", arguments->in, "Cloud or trajectory to read")->required();
   command->add_option("out", arguments->out, "Cloud or trajectory to write");
+  command
+      ->add_option("--encoding",
+                   arguments->encoding,
+                   "Of .ply and .pcd: ascii, binary or (.pcd only) compressed; default: binary, "
+                   ".pcd compressed up to 64 MiB")
+      ->check(CLI::IsMember(kEncodings));
   command->add_option("--dsm", arguments->dsm, "GeoTIFF of the surface height to write");
   command->add_option("--ortho", arguments->ortho, "GeoTIFF of the colours to write");
   command->add_option("--cell-m", arguments->raster.cell_m, "Cell of these [m]")

@@ -22,11 +22,6 @@ struct DoctorArguments {
   bool list = false;
 };
 
-std::optional<std::filesystem::path> optional_path(const std::string& text) {
-  if (text.empty()) return std::nullopt;
-  return text;
-}
-
 int exit_code_of(const DoctorReport& report) {
   if (!report.has_errors()) return kDone;
   return report.only_resource_errors() ? kOutOfResource : kBadInput;

@@ -17,11 +17,6 @@ struct EvaluateArguments {
   std::string transform = {};
 };
 
-std::optional<std::filesystem::path> optional_path(const std::string& text) {
-  if (text.empty()) return std::nullopt;
-  return text;
-}
-
 int evaluate(const EvaluateArguments& arguments, Session& session) {
   if (!arguments.workspace.empty()) {
     if (!std::filesystem::is_directory(arguments.workspace)) {

@@ -11,18 +11,13 @@ namespace hybridfusion::cli {
 namespace {
 
 struct RunArguments {
-  std::string images = {};
+  PhotoArguments photos = {};
   std::string bag = {};
   std::string output = {};
   std::string sensors = {};
   std::string truth = {};
   std::string from = {};
 };
-
-std::optional<std::filesystem::path> optional_path(const std::string& text) {
-  if (text.empty()) return std::nullopt;
-  return text;
-}
 
 /// The stage and all behind it.
 std::vector<std::string> stages_from(const std::string& first) {
@@ -37,7 +32,7 @@ int run(const RunArguments& arguments, Session& session) {
       arguments.output,
       stages_from(arguments.from),
       {[&](Project& project) {
-         return reconstruct_stage(project, {.images = arguments.images}, ctx);
+         return reconstruct_stage(project, photo_inputs(arguments.photos), ctx);
        },
        [&](Project& project) {
          return map_stage(project, arguments.bag, optional_path(arguments.sensors), ctx);
@@ -61,7 +56,7 @@ void add_run_command(CLI::App& app, Command& chosen) {
       "Photos and a LiDAR/IMU recording -> fused cloud: reconstruct, map, register, evaluate and "
       "report on one workspace. Stages whose inputs and options did not change are not run again.");
   auto arguments = std::make_shared<RunArguments>();
-  command->add_option("--images", arguments->images, "Folder of JPEG photos with GNSS")->required();
+  add_photo_options(*command, arguments->photos);
   command->add_option("--bag", arguments->bag, kRecordingHelp)->required();
   command->add_option("--output", arguments->output, "Workspace folder")->required();
   command->add_option(

@@ -10,7 +10,9 @@
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <system_error>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -30,40 +32,105 @@ struct ViewArguments {
   bool no_browser = false;
 };
 
-/// Octrees of all layers below `cache`, made anew unless they are of these very files.
-Expected<void> prepare_octrees(const std::filesystem::path& root,
-                               const ViewScene& scene,
-                               const RunContext& ctx) {
-  constexpr std::uint64_t kMaxKeyBytes = 1U << 16U;
-  const std::filesystem::path cache = root / kCacheFolder;
-  const auto key = read_text_file(cache / kKeyFile, kMaxKeyBytes);
-  if (key && *key == scene.key) return {};
-  // Only who writes needs the workspace for itself; looking at it does not.
-  HF_TRY(const Workspace workspace, Workspace::open(root));
-  workspace.remove((std::filesystem::path(kCacheFolder) / kKeyFile).string());
+/// A folder for one run, removed at its end.
+class TemporaryFolder {
+ public:
+  static Expected<TemporaryFolder> create() {
+    std::error_code code;
+    const auto parent = std::filesystem::temp_directory_path(code);
+    std::string name = (parent / "hybridfusion-view-XXXXXX").string();
+    if (!code && ::mkdtemp(name.data()) != nullptr) return TemporaryFolder(name);
+    return fail(
+        ErrorCode::kIo,
+        fmt::format("{}: no folder can be made there; set TMPDIR to one that can be written",
+                    parent.string()));
+  }
+  TemporaryFolder(TemporaryFolder&& other) noexcept : path_(std::exchange(other.path_, {})) {}
+  TemporaryFolder& operator=(TemporaryFolder&& other) noexcept {
+    std::swap(path_, other.path_);
+    return *this;
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    if (!path_.empty()) std::filesystem::remove_all(path_, ignored);
+  }
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+ private:
+  explicit TemporaryFolder(std::filesystem::path path) : path_(std::move(path)) {}
+  std::filesystem::path path_;
+};
+
+/// Where the octrees lie, and whether they go when the viewer ends.
+struct OctreeFolder {
+  std::filesystem::path path = {};
+  std::optional<TemporaryFolder> temporary = {};
+};
+
+Expected<void> make_octrees(const std::filesystem::path& folder,
+                            const ViewScene& scene,
+                            const RunContext& ctx) {
   for (const ViewLayer& layer : scene.layers) {
-    const std::string folder = (std::filesystem::path(kCacheFolder) / layer.name).string();
-    if (auto made = workspace.make_folder(folder); !made) return made;
+    std::error_code code;
+    std::filesystem::create_directories(folder / layer.name, code);
     ctx.info(fmt::format("preparing {} for the viewer", layer.file.string()));
-    if (auto written = write_octree(root / folder, layer.batches, {}, ctx); !written) {
+    if (auto written = write_octree(folder / layer.name, layer.batches, {}, ctx); !written) {
       return std::unexpected(written.error());
     }
   }
-  return write_file_atomically(cache / kKeyFile, scene.key);
+  return write_file_atomically(folder / kKeyFile, scene.key);
 }
 
-std::vector<ServedFile> served_files(const std::filesystem::path& root, const ViewScene& scene) {
+/// Octrees of all layers in the workspace, made anew unless they are of these very files; in a
+/// folder for this run where the workspace cannot be written or another process works in it.
+Expected<OctreeFolder> prepare_octrees(const std::filesystem::path& root,
+                                       const ViewScene& scene,
+                                       const RunContext& ctx) {
+  constexpr std::uint64_t kMaxKeyBytes = 1U << 16U;
+  const std::filesystem::path cache = root / kCacheFolder;
+  const auto key = read_text_file(cache / kKeyFile, kMaxKeyBytes);
+  if (key && *key == scene.key) return OctreeFolder{.path = cache};
+  // Only who writes needs the workspace for itself; looking at it does not.
+  const auto workspace = Workspace::open(root);
+  Expected<void> writable;
+  if (!workspace) writable = std::unexpected(workspace.error());
+  if (writable) writable = workspace->make_folder(kCacheFolder);
+  if (writable) {
+    workspace->remove((std::filesystem::path(kCacheFolder) / kKeyFile).string());
+    writable = write_file_atomically(cache / "writable", "");
+    workspace->remove((std::filesystem::path(kCacheFolder) / "writable").string());
+  }
+  if (writable) {
+    if (auto made = make_octrees(cache, scene, ctx); !made) return std::unexpected(made.error());
+    return OctreeFolder{.path = cache};
+  }
+  HF_TRY(TemporaryFolder temporary, TemporaryFolder::create());
+  ctx.warn(fmt::format("{}; what the viewer needs is prepared in {} for this time",
+                       writable.error().message,
+                       temporary.path().string()));
+  if (auto made = make_octrees(temporary.path(), scene, ctx); !made) {
+    return std::unexpected(made.error());
+  }
+  const std::filesystem::path path = temporary.path();
+  return OctreeFolder{.path = path, .temporary = std::move(temporary)};
+}
+
+std::vector<ServedFile> served_files(const std::filesystem::path& root,
+                                     const std::filesystem::path& octrees,
+                                     const ViewScene& scene) {
   std::vector<ServedFile> files = viewer_page();
   files.push_back({"/scene.json", "application/json", std::string_view(scene.json)});
   for (const ViewLayer& layer : scene.layers) {
-    const std::filesystem::path folder = root / kCacheFolder / layer.name;
     const std::string url = fmt::format("/cloud/{}/", layer.name);
-    files.push_back({url + std::string(octree_file::kMetadata),
-                     "application/json",
-                     folder / octree_file::kMetadata});
-    for (const std::string_view name : {octree_file::kHierarchy, octree_file::kPoints}) {
-      files.push_back({url + std::string(name), "application/octet-stream", folder / name});
-    }
+    const auto add = [&](std::string_view name, const char* type) {
+      files.push_back({.url = url + std::string(name),
+                       .content_type = type,
+                       .content = octrees / layer.name / name,
+                       .root = octrees});
+    };
+    add(octree_file::kMetadata, "application/json");
+    add(octree_file::kHierarchy, "application/octet-stream");
+    add(octree_file::kPoints, "application/octet-stream");
   }
   std::error_code code;
   if (std::filesystem::is_regular_file(root / workspace_file::kReport, code)) {
@@ -101,10 +168,9 @@ int view(const ViewArguments& arguments, Session& session) {
   const RunContext& ctx = session.context;
   const auto scene = view_scene(root, ctx);
   if (!scene) return report_error(session, scene.error());
-  if (auto ready = prepare_octrees(root, *scene, ctx); !ready) {
-    return report_error(session, ready.error());
-  }
-  auto server = ViewerServer::open(root, served_files(root, *scene), arguments.port);
+  const auto octrees = prepare_octrees(root, *scene, ctx);
+  if (!octrees) return report_error(session, octrees.error());
+  auto server = ViewerServer::open(root, served_files(root, octrees->path, *scene), arguments.port);
   if (!server) return report_error(session, server.error());
   print_url(session, *server);
   if (!arguments.no_browser) open_browser(server->url());
@@ -119,7 +185,8 @@ void add_view_command(CLI::App& app, Command& chosen) {
       "view",
       "Shows the clouds, cameras and trajectory of a workspace in the browser, whichever stages "
       "ran. The page is served to this machine only, until Ctrl-C. Octrees are prepared in "
-      "cache/view of the workspace the first time.");
+      "cache/view of the workspace the first time, or for this run only where it cannot be "
+      "written.");
   auto arguments = std::make_shared<ViewArguments>();
   command->add_option("workspace", arguments->workspace, "Workspace folder")->required();
   command->add_option("--port", arguments->port, "Port on 127.0.0.1; 0 takes a free one")

@@ -2,11 +2,14 @@
 #include "sample_workspace.hpp"
 
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <sys/file.h>
 #include <unistd.h>
 
 namespace hybridfusion::testing {
@@ -51,6 +54,20 @@ TEST_F(ViewCommand, PrintsItsAddressEndsCleanlyAndKeepsTheOctrees) {
                                    std::filesystem::file_time_type::clock::now());
   EXPECT_EQ(start_and_stop(SIGTERM), 0);
   EXPECT_NE(std::filesystem::last_write_time(octree), written) << "a cloud had changed";
+}
+
+TEST_F(ViewCommand, ShowsAWorkspaceInWhichAnotherProcessWorksWithoutWritingThere) {
+  write_sample_workspace(root_);
+  const int lock = ::open((root_ / ".lock").c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0644);
+  ASSERT_EQ(::flock(lock, LOCK_EX | LOCK_NB), 0);
+  const auto temporary = root_ / "temporary";
+  std::filesystem::create_directory(temporary);
+  ::setenv("TMPDIR", temporary.c_str(), 1);
+  EXPECT_EQ(start_and_stop(SIGINT), 0);
+  ::unsetenv("TMPDIR");
+  ::close(lock);
+  EXPECT_FALSE(std::filesystem::exists(root_ / "cache"));
+  EXPECT_TRUE(std::filesystem::is_empty(temporary)) << "what was prepared is gone";
 }
 
 TEST_F(ViewCommand, AFolderWithoutCloudsIsUnusableInput) {

@@ -65,7 +65,11 @@ class ViewerPage : public ::testing::Test {
   std::string url_ = {};
 };
 
-/// Counts over the picture right of the panel.
+// The panel and the lines at the top and the bottom are not the picture.
+constexpr int kLeft_px = 270;
+constexpr int kTop_px = 60;
+constexpr int kBottom_px = 40;
+
 struct PictureStatistics {
   double drawn = 0.0;    ///< Share of pixels that are not background.
   double colored = 0.0;  ///< Share whose channels differ.
@@ -74,8 +78,8 @@ struct PictureStatistics {
 PictureStatistics statistics_of(const Image8& image) {
   PictureStatistics result;
   std::size_t count = 0;
-  for (int y = 60; y < image.height - 40; ++y) {
-    for (int x = 270; x < image.width; ++x) {
+  for (int y = kTop_px; y < image.height - kBottom_px; ++y) {
+    for (int x = kLeft_px; x < image.width; ++x) {
       const std::uint8_t* p = &image.pixels[3 * (static_cast<std::size_t>(y) * image.width + x)];
       const int high = std::max({p[0], p[1], p[2]});
       const int low = std::min({p[0], p[1], p[2]});
@@ -92,8 +96,16 @@ PictureStatistics statistics_of(const Image8& image) {
 double mean_difference(const Image8& a, const Image8& b) {
   if (a.pixels.size() != b.pixels.size() || a.pixels.empty()) return 255.0;
   double sum = 0.0;
-  for (std::size_t i = 0; i < a.pixels.size(); ++i) sum += std::abs(a.pixels[i] - b.pixels[i]);
-  return sum / static_cast<double>(a.pixels.size());
+  std::size_t count = 0;
+  for (int y = kTop_px; y < a.height - kBottom_px; ++y) {
+    for (int x = kLeft_px; x < a.width; ++x) {
+      const std::size_t at = 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(a.width) +
+                                  static_cast<std::size_t>(x));
+      for (std::size_t k = at; k < at + 3; ++k) sum += std::abs(a.pixels[k] - b.pixels[k]);
+      count += 3;
+    }
+  }
+  return sum / static_cast<double>(count);
 }
 
 TEST_F(ViewerPage, ShowsTheFusedCloudInColourAndSwitchesLayersAndColours) {
@@ -105,9 +117,14 @@ TEST_F(ViewerPage, ShowsTheFusedCloudInColourAndSwitchesLayersAndColours) {
   EXPECT_GT(statistics_of(fused).colored, 0.02) << "the cloud has no colour";
   EXPECT_LT(mean_difference(fused, browser_->screenshot()), 0.2) << "the picture does not rest";
 
-  click("mode-distance");
-  EXPECT_GT(mean_difference(fused, browser_->screenshot()), 1.0);
-  click("mode-rgb");
+  Image8 last = fused;
+  for (const char* mode : {"height", "intensity", "source", "distance", "rgb"}) {
+    click(std::string("mode-") + mode);
+    const Image8 shown = browser_->screenshot();
+    EXPECT_GT(mean_difference(last, shown), 1.0) << mode << " looks like the colouring before it";
+    last = shown;
+  }
+  EXPECT_LT(mean_difference(fused, last), 0.2) << "the photos' colours come back";
   click("layer-fused");
   EXPECT_LT(statistics_of(browser_->screenshot()).drawn, 0.01) << "nothing is switched on";
   click("layer-vision");
@@ -160,6 +177,32 @@ TEST_F(ViewerPage, TheSliderMovesTheLidarCloudAndEveryKeyIsHarmless) {
   }
   EXPECT_EQ(browser_->evaluate("document.getElementById('keyboard').open"), Json(true));
   EXPECT_THAT(browser_->errors(), IsEmpty());
+}
+
+TEST_F(ViewerPage, MeasuringDrawsTheLineOverTheCloud) {
+  write_sample_workspace(folder_ / "ws");
+  start();
+  click("measure");
+  const Image8 without = browser_->screenshot();
+  const auto press = [&](int x, int y) {
+    std::string script = "(() => { const c = document.getElementById('view');";
+    for (const char* event : {"pointerdown", "pointerup", "click"}) {
+      script.append("c.dispatchEvent(new PointerEvent('").append(event);
+      script.append("', {clientX: ").append(std::to_string(x)).append(", clientY: ");
+      script.append(std::to_string(y)).append(", bubbles: true, button: 0, pointerId: 1}));");
+    }
+    (void)browser_->evaluate(script + "})()");
+    ASSERT_TRUE(browser_->wait_for(kIdle, kPatience_s));
+  };
+  const auto said = [&] {
+    return browser_->evaluate("document.getElementById('message').textContent").get<std::string>();
+  };
+  // Not every place has a point under it.
+  for (int x = 420; x < 820 && said().find("horizontal") == std::string::npos; x += 50) {
+    press(x, 330);
+  }
+  EXPECT_THAT(said(), HasSubstr("horizontal"));
+  EXPECT_GT(mean_difference(without, browser_->screenshot()), 0.02) << "no line is seen";
 }
 
 TEST_F(ViewerPage, WorksWithPhotosOrLidarAlone) {

@@ -87,10 +87,12 @@ PointCloud lidar_cloud(Random& random) {
 
 PointCloud fused_cloud(const PointCloud& vision, const PointCloud& lidar) {
   PointCloud g{.points = vision.points, .colors = vision.colors};
+  g.intensities.assign(g.size(), 0.0F);
   g.sources.assign(g.size(), PointSource::kVision);
   PointCloud l{.points =
                    transformed(vision_from_lidar(), PointCloud{.points = lidar.points}).points};
   l.colors.assign(l.size(), Rgb8{160, 160, 165});
+  l.intensities = lidar.intensities;
   l.sources.assign(l.size(), PointSource::kLidar);
   return concatenate(std::move(g), l);
 }

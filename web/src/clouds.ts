@@ -17,7 +17,7 @@ type Stops = [number, Color][];
 // Near is calm, far is loud; what the other sensor never saw stays grey.
 const DISTANCE_GRADIENT: Stops = [
   [0.0, new Color('#2c7bb6')], [0.1, new Color('#00a6ca')], [0.25, new Color('#7dd181')], [0.45, new Color('#f9d057')],
-  [0.7, new Color('#e76818')], [0.97, new Color('#d7191c')], [1.0, new Color('#6b7280')],
+  [0.65, new Color('#e76818')], [0.9, new Color('#d7191c')], [0.94, new Color('#6b7280')], [1.0, new Color('#6b7280')],
 ];
 const HEIGHT_GRADIENT: Stops = [
   [0.0, new Color('#30466e')], [0.2, new Color('#2a788e')], [0.4, new Color('#22a884')], [0.6, new Color('#7ad151')],
@@ -96,6 +96,8 @@ export class Clouds {
 
   private prepareMaterial(layer: Layer): void {
     const material = layer.octree.material;
+    // The library's shader for Potree 2.0 knows no colour but that of the photos; the one for Potree 1 knows all.
+    material.newFormat = false;
     material.shape = PointShape.CIRCLE;
     material.pointSizeType = PointSizeType.ADAPTIVE;
     material.minSize = 2;
@@ -181,14 +183,19 @@ export class Clouds {
     this.onChange();
   }
 
-  /** The library knows one scalar, `intensity`; distance takes its place while it is shown. */
-  private bindScalars(): void {
+  /**
+   * Gives the shader its attributes by the names it knows: `color`, and one scalar, `intensity`, whose place distance
+   * takes while it is shown.
+   */
+  private bindAttributes(): void {
     const shown = this.mode === 'distance' ? 'distance' : 'measured';
     for (const layer of this.layers) {
-      if (!layer.octree.visible || !layer.has.distance) continue;
+      if (!layer.octree.visible) continue;
       for (const node of layer.octree.visibleNodes) {
         const geometry = node.geometryNode.geometry;
-        if (!geometry || geometry.userData.scalar === shown) continue;
+        if (!geometry) continue;
+        if (!geometry.hasAttribute('color')) geometry.setAttribute('color', geometry.getAttribute('rgba'));
+        if (!layer.has.distance || geometry.userData.scalar === shown) continue;
         if (!geometry.userData.measured) {
           const count = geometry.getAttribute('position').count;
           geometry.userData.measured =
@@ -204,7 +211,7 @@ export class Clouds {
   /** @returns whether nodes are still on their way. */
   update(camera: Camera, renderer: WebGLRenderer): boolean {
     const result = this.potree.updatePointClouds(this.visible(), camera, renderer);
-    this.bindScalars();
+    this.bindAttributes();
     return result.nodeLoadPromises.length > 0 || this.layers.some((l) => l.octree.pcoGeometry.numNodesLoading > 0);
   }
 

@@ -11,6 +11,7 @@ import { Panel, fail } from './panel';
 class Viewer {
   private readonly camera = new PerspectiveCamera(55, 1, 0.1, 20000);
   private readonly stage = new Scene();
+  private readonly overlay = new Scene(); // drawn over the clouds, which hide what lies behind them in the stage
   private readonly shader = new PotreeRenderer({ edl: { enabled: true, strength: 0.5, radius: 1.3 } });
   private readonly controls: MapControls;
   private readonly cameras: Cameras;
@@ -40,7 +41,8 @@ class Viewer {
     this.after = info.registration?.after ? matrixOf(info.registration.after) : null;
     this.drive.place(this.after ?? new Matrix4(), clouds.center);
     this.cameras.group.visible = this.drive.line.visible = false;
-    this.stage.add(...clouds.layers.map((layer) => layer.octree), this.cameras.group, this.drive.line, this.ruler.group);
+    this.stage.add(...clouds.layers.map((layer) => layer.octree), this.cameras.group, this.drive.line);
+    this.overlay.add(this.ruler.group);
     this.panel = new Panel(info, clouds, {
       redraw: () => this.redraw(),
       blend: (t) => this.blend(t),
@@ -221,6 +223,9 @@ class Viewer {
     this.watchSpeed(now);
     const loading = this.clouds.update(this.camera, this.renderer);
     this.shader.render({ renderer: this.renderer, scene: this.stage, camera: this.camera, pointClouds: this.clouds.visible() });
+    this.renderer.autoClear = false;
+    this.renderer.render(this.overlay, this.camera);
+    this.renderer.autoClear = true;
     this.panel.status(this.clouds.visiblePoints(), loading);
     this.framesLeft = loading ? 3 : this.framesLeft - 1;
     if (this.framesLeft <= 0) this.canvas.setAttribute('aria-busy', 'false');

@@ -3,10 +3,14 @@ import {
   BufferGeometry, Camera, Color, Group, Line, LineBasicMaterial, LineSegments, Matrix4, Mesh, MeshBasicMaterial, SphereGeometry,
   Vector2, Vector3,
 } from 'three';
+import { Line2 } from 'three/examples/jsm/lines/Line2.js';
+import { LineGeometry } from 'three/examples/jsm/lines/LineGeometry.js';
+import { LineMaterial } from 'three/examples/jsm/lines/LineMaterial.js';
 import { CameraInfo, SceneInfo, matrixOf } from './scene';
 
 const CAMERA_COLOR = '#3fb950';
 const CHOSEN_COLOR = '#f0883e';
+const DRIVE_WIDTH_PX = 3;
 const DRIVE_COLOR = '#ff5c5c';
 
 export class Cameras {
@@ -76,11 +80,14 @@ export class Cameras {
 }
 
 export class Drive {
-  readonly line: Line;
+  readonly line: Line2;
 
   constructor(scene: SceneInfo) {
     const points = scene.trajectory_in_lidar.map((p) => new Vector3(...p));
-    this.line = new Line(new BufferGeometry().setFromPoints(points), new LineBasicMaterial({ color: DRIVE_COLOR }));
+    const geometry = new LineGeometry();
+    if (points.length > 1) geometry.setFromPoints(points);
+    this.line = new Line2(geometry, new LineMaterial({ color: DRIVE_COLOR, linewidth: DRIVE_WIDTH_PX }));
+    this.line.frustumCulled = false;
     this.line.matrixAutoUpdate = false;
   }
 

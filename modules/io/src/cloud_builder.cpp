@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -49,7 +50,8 @@ CloudColumn cloud_column(std::string_view name, ScalarType type) {
           .integer_max = kMax[static_cast<std::size_t>(type)]};  // wider integers count to 255 too
 }
 
-CloudBuilder::CloudBuilder(std::span<const CloudColumn> columns)
+CloudBuilder::CloudBuilder(std::span<const CloudColumn> columns,
+                           const std::optional<CloudTraits>& traits)
     : position_{find_column(columns, {"x"}),
                 find_column(columns, {"y"}),
                 find_column(columns, {"z"})},
@@ -63,11 +65,19 @@ CloudBuilder::CloudBuilder(std::span<const CloudColumn> columns)
       time_(find_column(columns, {"time", "timestamp", "gps_time", "gpstime"})),
       sigma_(find_column(columns, {"sigma"})),
       confidence_(find_column(columns, {"confidence"})),
-      source_(find_column(columns, {"source"})) {
-  if (complete(color_)) {
-    const CloudColumn& red = columns[color_[0]];
-    color_max_ = red.floating ? 0.0 : red.integer_max;
-  }
+      source_(find_column(columns, {"source"})),
+      given_(traits) {
+  if (complete(color_)) red_ = columns[color_[0]];
+  if (intensity_ >= 0) uncertain_intensity_ = columns[intensity_].uncertain;
+  if (!given_) return;
+  offset_m_ = given_->offset_m;
+  if (given_->color_max == 0.0) color_ = {-1, -1, -1};
+  if (!given_->has_intensity) intensity_ = -1;
+}
+
+bool has_coordinates(std::span<const CloudColumn> columns) {
+  return find_column(columns, {"x"}) >= 0 && find_column(columns, {"y"}) >= 0 &&
+         find_column(columns, {"z"}) >= 0;
 }
 
 Eigen::Vector3d whole_kilometres(const Eigen::Vector3d& point_m) {
@@ -78,8 +88,8 @@ Eigen::Vector3d whole_kilometres(const Eigen::Vector3d& point_m) {
   });
 }
 
-bool CloudBuilder::has_coordinates() const {
-  return complete(position_);
+bool CloudBuilder::scale_is_known() const {
+  return given_.has_value() || (!red_.floating && !red_.uncertain);
 }
 
 void CloudBuilder::reserve(std::size_t count) {
@@ -95,23 +105,21 @@ void CloudBuilder::reserve(std::size_t count) {
 
 void CloudBuilder::add_color(std::span<const double> row) {
   const Eigen::Vector3d color = gather(row, color_);
-  if (color_max_ == 0.0) {
+  largest_color_ = std::max(largest_color_, color.maxCoeff<Eigen::PropagateNumbers>());
+  if (!scale_is_known()) {
     // Written so that NaN becomes 0.
-    floating_colors_.push_back(
+    raw_colors_.push_back(
         color.unaryExpr([](double c) { return c > 0.0 ? c : 0.0; }).cast<float>());
-  } else {
-    cloud_.colors.push_back({to_byte(color.x() / color_max_),
-                             to_byte(color.y() / color_max_),
-                             to_byte(color.z() / color_max_)});
+    return;
   }
+  const double full_scale = given_ ? given_->color_max : red_.integer_max;
+  Rgb8& out = cloud_.colors.emplace_back();
+  for (int k = 0; k < 3; ++k) out[k] = to_byte(color[k] > 0.0 ? color[k] / full_scale : 0.0);
 }
 
-bool CloudBuilder::add(std::span<const double> row) {
-  const Eigen::Vector3d point = gather(row, position_);
-  if (!point.cast<float>().allFinite()) return false;
-  if (cloud_.empty()) offset_m_ = whole_kilometres(point);
-  const Eigen::Vector3d local = point - offset_m_;
-  const Eigen::Vector3f stored = local.cast<float>();
+void CloudBuilder::add_position(const Eigen::Vector3d& point) {
+  if (!offset_m_) offset_m_ = whole_kilometres(point);
+  const Eigen::Vector3d local = point - *offset_m_;
   const auto rounding_m = [](const Eigen::Vector3d& exact) {
     return (exact - exact.cast<float>().cast<double>()).cwiseAbs().maxCoeff();
   };
@@ -120,7 +128,13 @@ bool CloudBuilder::add(std::span<const double> row) {
     largest_rounding_m_ = rounding_m(point);
     rounded_point_ = {point.x(), point.y(), point.z()};
   }
-  cloud_.points.push_back(stored);
+  cloud_.points.emplace_back(local.cast<float>());
+}
+
+bool CloudBuilder::add(std::span<const double> row) {
+  const Eigen::Vector3d point = gather(row, position_);
+  if (!point.cast<float>().allFinite()) return false;
+  add_position(point);
   if (complete(normal_)) {
     const Eigen::Vector3d normal = gather(row, normal_);
     const bool usable = normal.allFinite() && normal.norm() < 1e6;
@@ -129,7 +143,10 @@ bool CloudBuilder::add(std::span<const double> row) {
   }
   if (complete(color_)) add_color(row);
   const auto finite = [&row](int column) { return std::isfinite(row[column]) ? row[column] : 0.0; };
-  if (intensity_ >= 0) cloud_.intensities.push_back(static_cast<float>(finite(intensity_)));
+  if (intensity_ >= 0) {
+    cloud_.intensities.push_back(static_cast<float>(finite(intensity_)));
+    largest_intensity_ = std::max(largest_intensity_, cloud_.intensities.back());
+  }
   if (time_ >= 0) cloud_.times_s.push_back(finite(time_));
   if (sigma_ >= 0) cloud_.sigmas_m.push_back(static_cast<float>(finite(sigma_)));
   if (confidence_ >= 0) cloud_.confidences.push_back(static_cast<float>(finite(confidence_)));
@@ -139,18 +156,26 @@ bool CloudBuilder::add(std::span<const double> row) {
   return true;
 }
 
+CloudTraits CloudBuilder::traits() const {
+  CloudTraits traits = {
+      .offset_m = offset_m_.value_or(Eigen::Vector3d::Zero()),
+      .has_intensity = intensity_ >= 0 && (!uncertain_intensity_ || largest_intensity_ > 0.0F),
+      .largest_intensity = largest_intensity_};
+  if (!complete(color_) || (red_.uncertain && largest_color_ <= 0.0)) return traits;
+  traits.color_max = red_.integer_max;
+  if (red_.floating) traits.color_max = largest_color_ <= 1.0 ? 1.0 : 255.0;
+  if (red_.uncertain && largest_color_ <= 255.0) traits.color_max = 255.0;
+  return traits;
+}
+
 void CloudBuilder::finish_colors() {
-  if (floating_colors_.empty()) return;
-  float largest = 0.0F;
-  for (const Eigen::Vector3f& color : floating_colors_) {
-    largest = std::max(largest, color.maxCoeff());
-  }
-  const double full_scale = largest <= 1.0F ? 1.0 : 255.0;
-  for (const Eigen::Vector3f& color : floating_colors_) {
+  const double full_scale = traits().color_max;
+  for (const Eigen::Vector3f& color : raw_colors_) {
     cloud_.colors.push_back({to_byte(color.x() / full_scale),
                              to_byte(color.y() / full_scale),
                              to_byte(color.z() / full_scale)});
   }
+  raw_colors_.clear();
 }
 
 Expected<PointCloud> CloudBuilder::finish() && {
@@ -165,23 +190,28 @@ Expected<PointCloud> CloudBuilder::finish() && {
                             largest_rounding_m_));
   }
   finish_colors();
-  if (!offset_m_.isZero()) {
+  if (offset_m_ && !offset_m_->isZero()) {
     for (Eigen::Vector3f& point : cloud_.points) {
-      point = (point.cast<double>() + offset_m_).cast<float>();
+      point = (point.cast<double>() + *offset_m_).cast<float>();
     }
   }
   return std::move(cloud_);
 }
 
-Expected<PlacedCloud> CloudBuilder::finish_placed() && {
+Expected<PointCloud> CloudBuilder::take() {
+  HF_CHECK(given_.has_value());
   if (largest_local_rounding_m_ >= kMaxRounding_m) {
     return fail(ErrorCode::kParse,
                 fmt::format("the points spread so far that they cannot be kept to better than "
                             "{:.3f} m; cut the cloud into tiles first",
                             largest_local_rounding_m_));
   }
-  finish_colors();
-  return PlacedCloud{.cloud = std::move(cloud_), .offset_m = offset_m_};
+  return std::exchange(cloud_, {});
+}
+
+void CloudBuilder::forget_points() {
+  cloud_ = {};
+  raw_colors_.clear();
 }
 
 }  // namespace hybridfusion

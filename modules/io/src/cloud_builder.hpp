@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -20,9 +21,21 @@ struct CloudColumn {
   std::string name = {};
   bool floating = false;     ///< float or double.
   double integer_max = 0.0;  ///< Largest value of an integer type (full scale of a colour).
+  /// The format has the field whether or not it is used, at a scale that writers disagree on: zero
+  /// throughout is no channel, and a colour that never exceeds 255 counts to 255.
+  bool uncertain = false;
+};
+
+/// What only the whole file tells of its points.
+struct CloudTraits {
+  Eigen::Vector3d offset_m = Eigen::Vector3d::Zero();  ///< Whole kilometres to take off.
+  double color_max = 0.0;                              ///< Full scale; 0: no colours.
+  bool has_intensity = false;
+  float largest_intensity = 0.0F;
 };
 
 [[nodiscard]] CloudColumn cloud_column(std::string_view name, ScalarType type);
+[[nodiscard]] bool has_coordinates(std::span<const CloudColumn> columns);
 
 // A float in a local frame of +-80 km rounds by at most 4 mm.
 inline constexpr double kMaxRounding_m = 0.005;
@@ -34,21 +47,30 @@ inline constexpr double kMaxRounding_m = 0.005;
 /// CloudCompare's prefix "scalar_"; columns nobody knows are ignored.
 class CloudBuilder {
  public:
-  explicit CloudBuilder(std::span<const CloudColumn> columns);
+  /// @param traits  Of the whole file; absent: found by the builder, which then must be given all
+  ///                points before finish() or traits().
+  explicit CloudBuilder(std::span<const CloudColumn> columns,
+                        const std::optional<CloudTraits>& traits = {});
 
-  [[nodiscard]] bool has_coordinates() const;
   void reserve(std::size_t count);
   /// False when the coordinates are not finite; the point is then left out.
   [[nodiscard]] bool add(std::span<const double> row);
   /// @returns kParse when coordinates are so large that float storage moved a point by 5 mm or more
   /// (UTM, ECEF): the cloud would silently lose its precision.
   [[nodiscard]] Expected<PointCloud> finish() &&;
-  /// As finish(), but coordinates of 10 km and more are taken relative to whole kilometres. kParse
-  /// only when the points spread too far for that.
-  [[nodiscard]] Expected<PlacedCloud> finish_placed() &&;
+
+  [[nodiscard]] std::size_t size() const { return cloud_.size(); }
+  /// The points since the last take(), relative to the offset of the traits that were given.
+  /// @returns kParse when the points spread too far for that.
+  [[nodiscard]] Expected<PointCloud> take();
+  /// Drops the points and keeps what traits() needs of them.
+  void forget_points();
+  [[nodiscard]] CloudTraits traits() const;
 
  private:
+  void add_position(const Eigen::Vector3d& point);
   void add_color(std::span<const double> row);
+  [[nodiscard]] bool scale_is_known() const;
   void finish_colors();
 
   std::array<int, 3> position_ = {-1, -1, -1};  ///< Column indices; -1: absent.
@@ -59,12 +81,16 @@ class CloudBuilder {
   int sigma_ = -1;
   int confidence_ = -1;
   int source_ = -1;
-  double color_max_ = 255.0;  ///< Full scale of an integer colour; 0 for floating colours.
-  Eigen::Vector3d offset_m_ = Eigen::Vector3d::Zero();  ///< Of cloud_, while it is collected.
-  double largest_rounding_m_ = 0.0;                     ///< Without the offset.
-  double largest_local_rounding_m_ = 0.0;               ///< With the offset.
+  CloudColumn red_ = {};
+  bool uncertain_intensity_ = false;
+  std::optional<CloudTraits> given_ = {};
+  std::optional<Eigen::Vector3d> offset_m_ = {};  ///< Of cloud_, once it has a point.
+  double largest_color_ = 0.0;
+  float largest_intensity_ = 0.0F;
+  double largest_rounding_m_ = 0.0;        ///< Without the offset.
+  double largest_local_rounding_m_ = 0.0;  ///< With the offset.
   std::array<double, 3> rounded_point_ = {};
-  std::vector<Eigen::Vector3f> floating_colors_ = {};
+  std::vector<Eigen::Vector3f> raw_colors_ = {};  ///< While their scale is not known.
   PointCloud cloud_ = {};
 };
 

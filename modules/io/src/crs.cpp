@@ -122,18 +122,41 @@ Expected<Eigen::Vector3d> EnuToProjected::operator()(const Eigen::Vector3d& poin
   return at;
 }
 
-Expected<PlacedCloud> project_cloud(PointCloud cloud, const Georeference& georeference) {
-  HF_TRY(const EnuToProjected projection,
-         EnuToProjected::create(georeference.origin, georeference.crs));
+struct CloudProjector::State {
+  EnuToProjected projection;
+  Eigen::Vector3d offset_m = Eigen::Vector3d::Zero();
+  CrsDescription crs = {};
+};
+
+CloudProjector::CloudProjector(std::unique_ptr<State> state) : state_(std::move(state)) {}
+CloudProjector::CloudProjector(CloudProjector&&) noexcept = default;
+CloudProjector& CloudProjector::operator=(CloudProjector&&) noexcept = default;
+CloudProjector::~CloudProjector() = default;
+
+Expected<CloudProjector> CloudProjector::create(const Georeference& georeference) {
+  HF_TRY(EnuToProjected projection, EnuToProjected::create(georeference.origin, georeference.crs));
   HF_TRY(const Eigen::Vector3d origin, projection(Eigen::Vector3d::Zero()));
-  PlacedCloud placed = {.cloud = std::move(cloud), .offset_m = whole_kilometres(origin)};
-  for (Eigen::Vector3f& point : placed.cloud.points) {
-    HF_TRY(const Eigen::Vector3d at, projection(point.cast<double>()));
-    point = (at - placed.offset_m).cast<float>();
+  CrsDescription crs = describe_crs(projection.wkt());
+  return CloudProjector(std::make_unique<State>(State{.projection = std::move(projection),
+                                                      .offset_m = whole_kilometres(origin),
+                                                      .crs = std::move(crs)}));
+}
+
+Expected<PointCloud> CloudProjector::operator()(PointCloud cloud) const {
+  for (Eigen::Vector3f& point : cloud.points) {
+    HF_TRY(const Eigen::Vector3d at, state_->projection(point.cast<double>()));
+    point = (at - state_->offset_m).cast<float>();
   }
-  placed.cloud.normals.clear();
-  placed.crs = describe_crs(projection.wkt());
-  return placed;
+  cloud.normals.clear();
+  return cloud;
+}
+
+const Eigen::Vector3d& CloudProjector::offset_m() const {
+  return state_->offset_m;
+}
+
+const CrsDescription& CloudProjector::crs() const {
+  return state_->crs;
 }
 
 const std::string& EnuToProjected::wkt() const {

@@ -45,35 +45,63 @@ void put_repeat(std::string& out, std::size_t length, std::size_t distance) {
 
 }  // namespace
 
-std::optional<std::vector<std::byte>> lzf_unpack(std::span<const std::byte> packed,
-                                                 std::size_t unpacked_bytes) {
-  std::vector<std::byte> out;
-  out.reserve(unpacked_bytes);
-  std::size_t in = 0;
-  while (in < packed.size()) {
-    const auto control = static_cast<std::size_t>(packed[in++]);
-    if (control < kMaxLiteral) {
-      const std::size_t count = control + 1;
-      if (count > packed.size() - in || count > unpacked_bytes - out.size()) return std::nullopt;
-      out.insert(out.end(), packed.begin() + in, packed.begin() + in + count);
-      in += count;
-      continue;
-    }
-    std::size_t length = control >> 5U;
-    if (length == 7) {
-      if (in == packed.size()) return std::nullopt;
-      length += static_cast<std::size_t>(packed[in++]);
-    }
-    length += 2;
-    if (in == packed.size()) return std::nullopt;
-    const std::size_t distance =
-        ((control & 0x1fU) << 8U) + static_cast<std::size_t>(packed[in++]) + 1;
-    if (distance > out.size() || length > unpacked_bytes - out.size()) return std::nullopt;
-    // Byte by byte: the repeat may overlap its own output.
-    for (std::size_t i = 0; i < length; ++i) out.push_back(out[out.size() - distance]);
+std::unexpected<Error> LzfReader::damaged() const {
+  return file_.malformed("the compressed data are damaged", "copy or export the file again");
+}
+
+Expected<std::size_t> LzfReader::packed_byte() {
+  if (packed_left_ == 0) return damaged();
+  HF_TRY(const auto byte, file_.take(1));
+  --packed_left_;
+  return static_cast<std::size_t>(byte[0]);
+}
+
+Expected<void> LzfReader::unpack_once() {
+  HF_TRY(const std::size_t control, packed_byte());
+  if (control < kMaxLiteral) {
+    const std::size_t count = control + 1;
+    if (count > packed_left_) return damaged();
+    HF_TRY(const auto literals, file_.take(count));
+    packed_left_ -= count;
+    out_.insert(out_.end(), literals.begin(), literals.end());
+    return {};
   }
-  if (out.size() != unpacked_bytes) return std::nullopt;
-  return out;
+  std::size_t length = control >> 5U;
+  if (length == 7) {
+    HF_TRY(const std::size_t more, packed_byte());
+    length += more;
+  }
+  length += 2;
+  HF_TRY(const std::size_t low, packed_byte());
+  const std::size_t distance = ((control & 0x1fU) << 8U) + low + 1;
+  if (distance > out_.size()) return damaged();
+  // Byte by byte: the repeat may overlap its own output.
+  for (std::size_t i = 0; i < length; ++i) out_.push_back(out_[out_.size() - distance]);
+  return {};
+}
+
+Expected<std::span<const std::byte>> LzfReader::take(std::size_t count) {
+  constexpr std::size_t kTooOld = 1U << 16U;
+  if (next_ > kTooOld) {
+    out_.erase(out_.begin(), out_.begin() + static_cast<std::ptrdiff_t>(next_ - kMaxDistance));
+    next_ = kMaxDistance;
+  }
+  while (out_.size() - next_ < count) {
+    if (auto unpacked = unpack_once(); !unpacked) return std::unexpected(unpacked.error());
+  }
+  const std::span<const std::byte> bytes(out_.data() + next_, count);
+  next_ += count;
+  return bytes;
+}
+
+Expected<void> LzfReader::skip(std::uint64_t count) {
+  constexpr std::uint64_t kStep = 1U << 16U;
+  while (count > 0) {
+    const std::uint64_t step = std::min(count, kStep);
+    if (auto taken = take(step); !taken) return std::unexpected(taken.error());
+    count -= step;
+  }
+  return {};
 }
 
 std::string lzf_pack(std::string_view bytes) {

@@ -1,7 +1,7 @@
 #include "byte_reader.hpp"
+#include "cloud_rows.hpp"
 #include "lzf.hpp"
 #include "pcd_rows.hpp"
-#include "placed_readers.hpp"
 #include "text.hpp"
 
 #include <hybridfusion/io/pcd.hpp>
@@ -30,7 +30,7 @@ class RowBuilder {
   void add_color(std::uint32_t argb) {
     for (const unsigned shift : {16U, 8U, 0U}) row_.push_back((argb >> shift) & 0xffU);
   }
-  void end() { sink_.row(row_); }
+  [[nodiscard]] Expected<void> end() { return sink_.row(row_); }
 
  private:
   const PcdSink& sink_;
@@ -71,32 +71,16 @@ Expected<void> read_ascii(InputFile& file, const PcdHeader& header, RowBuilder& 
         }
       }
     }
-    rows.end();
+    if (auto taken = rows.end(); !taken) return taken;
   }
   return {};
 }
 
-/// Points one after the other in `bytes` (stride apart), or field after field.
-/// @param at  Byte offset of value k of field f of point i.
-template <class At>
-void add_points(std::span<const std::byte> bytes,
-                std::uint64_t points,
-                const PcdHeader& header,
-                RowBuilder& rows,
-                At&& at) {
-  for (std::uint64_t i = 0; i < points; ++i) {
-    rows.begin();
-    for (std::size_t f = 0; f < header.fields.size(); ++f) {
-      const PcdField& field = header.fields[f];
-      if (field.count != 1) continue;
-      const std::byte* const from = bytes.data() + at(i, f);
-      if (field.packed_color) {
-        rows.add_color(load<std::uint32_t>(from));
-      } else {
-        rows.add(field, load_scalar(from, field.type, std::endian::little));
-      }
-    }
-    rows.end();
+void add_value(const PcdField& field, const std::byte* from, RowBuilder& rows) {
+  if (field.packed_color) {
+    rows.add_color(load<std::uint32_t>(from));
+  } else {
+    rows.add(field, load_scalar(from, field.type, std::endian::little));
   }
 }
 
@@ -114,12 +98,56 @@ Expected<void> read_binary(InputFile& file, const PcdHeader& header, RowBuilder&
   for (std::uint64_t done = 0; done < header.points;) {
     const std::uint64_t count = std::min(kBlock, header.points - done);
     HF_TRY(const auto bytes, file.take(count * stride));
-    add_points(bytes, count, header, rows, [&](std::uint64_t i, std::size_t f) {
-      return i * stride + offsets[f];
-    });
+    for (std::uint64_t i = 0; i < count; ++i) {
+      rows.begin();
+      for (std::size_t f = 0; f < header.fields.size(); ++f) {
+        if (header.fields[f].count != 1) continue;
+        add_value(header.fields[f], bytes.data() + i * stride + offsets[f], rows);
+      }
+      if (auto taken = rows.end(); !taken) return taken;
+    }
     done += count;
   }
   return {};
+}
+
+/// A field of a compressed file, whose values lie together.
+struct PackedColumn {
+  PcdField field = {};
+  LzfReader values;
+};
+
+/// One reader for each field of one value, at its first: the fields lie one behind the other.
+Expected<std::vector<PackedColumn>> open_columns(const InputFile& file,
+                                                 const PcdHeader& header,
+                                                 std::uint64_t packed_bytes) {
+  // Each column costs a buffer and the unpacking of all before it.
+  constexpr std::size_t kMaxColumns = 64;
+  if (header.fields.size() > kMaxColumns) {
+    return file.malformed(
+        fmt::format("{} compressed fields, more than {}", header.fields.size(), kMaxColumns),
+        "save it as binary");
+  }
+  std::vector<PackedColumn> columns;
+  std::uint64_t offset = 0;
+  for (const PcdField& field : header.fields) {
+    if (field.count == 1) {
+      HF_TRY(InputFile again, InputFile::open(file.path()));
+      again.seek(file.position());
+      LzfReader values(std::move(again), std::min(packed_bytes, file.remaining()));
+      if (auto skipped = values.skip(offset); !skipped) return std::unexpected(skipped.error());
+      columns.push_back({.field = field, .values = std::move(values)});
+    }
+    offset += size_of(field.type) * field.count * header.points;
+  }
+  return columns;
+}
+
+/// All of them must unpack to what the header announces, not a byte more.
+Expected<void> check_end(PackedColumn& last, std::uint64_t bytes_left, const InputFile& file) {
+  if (auto skipped = last.values.skip(bytes_left); !skipped) return skipped;
+  if (last.values.at_end()) return {};
+  return file.malformed("the compressed data are damaged", "copy or export the file again");
 }
 
 Expected<void> read_compressed(InputFile& file, const PcdHeader& header, RowBuilder& rows) {
@@ -131,21 +159,23 @@ Expected<void> read_compressed(InputFile& file, const PcdHeader& header, RowBuil
       unpacked_bytes % stride != 0 || unpacked_bytes / kMaxLzfRatio > packed_bytes) {
     return too_few_bytes(file, header);
   }
-  HF_TRY(const auto packed, file.take(packed_bytes));
-  const auto bytes = lzf_unpack(packed, unpacked_bytes);
-  if (!bytes)
-    return file.malformed("the compressed data are damaged", "copy or export the file again");
+  HF_TRY(std::vector<PackedColumn> columns, open_columns(file, header, packed_bytes));
+  if (columns.empty()) return too_few_bytes(file, header);
   rows.reserve(header.points);
-  std::vector<std::size_t> offsets;
-  std::size_t offset = 0;
-  for (const PcdField& field : header.fields) {
-    offsets.push_back(offset);
-    offset += size_of(field.type) * field.count * header.points;
+  for (std::uint64_t i = 0; i < header.points; ++i) {
+    rows.begin();
+    for (PackedColumn& column : columns) {
+      HF_TRY(const auto bytes, column.values.take(size_of(column.field.type)));
+      add_value(column.field, bytes.data(), rows);
+    }
+    if (auto taken = rows.end(); !taken) return taken;
   }
-  add_points(*bytes, header.points, header, rows, [&](std::uint64_t i, std::size_t f) {
-    return offsets[f] + i * size_of(header.fields[f].type);
-  });
-  return {};
+  std::uint64_t behind_last = 0;
+  for (const PcdField& field : header.fields) {
+    behind_last += size_of(field.type) * field.count * header.points;
+    if (field.count == 1) behind_last = 0;
+  }
+  return check_end(columns.back(), behind_last, file);
 }
 
 Expected<void> read_data(InputFile& file, const PcdHeader& header, RowBuilder& rows) {
@@ -176,33 +206,26 @@ Expected<void> read_pcd_rows(InputFile& file, const PcdHeader& header, const Pcd
   return read_data(file, header, rows);
 }
 
-namespace {
-
-Expected<CloudBuilder> build_pcd(const std::filesystem::path& path) {
+Expected<CloudFileFacts> read_pcd_rows(const std::filesystem::path& path,
+                                       const CloudRowSink& sink) {
   HF_TRY(InputFile file, InputFile::open(path));
   HF_TRY(const PcdHeader header, read_pcd_header(file));
-  CloudBuilder builder(pcd_columns(header));
-  if (!builder.has_coordinates()) {
+  const std::vector<CloudColumn> columns = pcd_columns(header);
+  if (!has_coordinates(columns)) {
     return file.malformed("the points have no x, y and z", "give a file with points");
   }
   // Points without a position ("no return" in organised clouds) are dropped.
-  const PcdSink sink = {
-      .reserve = [&builder](std::uint64_t points) { builder.reserve(points); },
-      .row = [&builder](std::span<const double> row) { static_cast<void>(builder.add(row)); }};
-  if (auto read = read_pcd_rows(file, header, sink); !read) return std::unexpected(read.error());
-  return builder;
+  const PcdSink points = {.reserve = [&](std::uint64_t count) { sink.begin(file, columns, count); },
+                          .row = [&](std::span<const double> row) -> Expected<void> {
+                            HF_TRY([[maybe_unused]] const bool finite, sink.row(row));
+                            return {};
+                          }};
+  if (auto read = read_pcd_rows(file, header, points); !read) return std::unexpected(read.error());
+  return CloudFileFacts{};
 }
-
-}  // namespace
 
 Expected<PointCloud> read_pcd(const std::filesystem::path& path) {
-  HF_TRY(CloudBuilder builder, build_pcd(path));
-  return finished(path, std::move(builder).finish());
-}
-
-Expected<PlacedCloud> read_placed_pcd(const std::filesystem::path& path) {
-  HF_TRY(CloudBuilder builder, build_pcd(path));
-  return finished(path, std::move(builder).finish_placed());
+  return build_cloud(path, read_pcd_rows);
 }
 
 }  // namespace hybridfusion

@@ -12,7 +12,8 @@ namespace hybridfusion {
 
 struct PcdSink {
   std::function<void(std::uint64_t)> reserve = {};  ///< Called once, with the number of points.
-  std::function<void(std::span<const double>)> row = {};  ///< As pcd_columns; NaN is kept.
+  /// As pcd_columns; NaN is kept. An error ends the reading.
+  std::function<Expected<void>(std::span<const double>)> row = {};
 };
 
 /// Reads the points behind the header. @returns kParse naming the file and the cause.

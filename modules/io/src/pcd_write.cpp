@@ -1,5 +1,6 @@
 #include "byte_reader.hpp"
 #include "lzf.hpp"
+#include "pcd_output.hpp"
 
 #include <hybridfusion/io/atomic_file.hpp>
 #include <hybridfusion/io/pcd.hpp>
@@ -46,7 +47,10 @@ void visit_columns(const PointCloud& cloud, Column&& column) {
     });
 }
 
-[[nodiscard]] std::string header(const PointCloud& cloud, std::string_view data) {
+[[nodiscard]] std::string header(const PointCloud& cloud,
+                                 std::uint64_t num_points,
+                                 PcdFormat format) {
+  constexpr const char* kNames[] = {"binary_compressed", "binary", "ascii"};  // as PcdFormat
   std::string fields;
   std::string sizes;
   std::string types;
@@ -64,9 +68,9 @@ void visit_columns(const PointCloud& cloud, Column&& column) {
       sizes,
       types,
       counts,
-      cloud.size(),
-      cloud.size(),
-      data);
+      num_points,
+      num_points,
+      kNames[static_cast<std::size_t>(format)]);
 }
 
 void write_rows(AtomicFile& file, const PointCloud& cloud, PcdFormat format) {
@@ -98,32 +102,73 @@ void write_columns_packed(AtomicFile& file, const PointCloud& cloud) {
   file.write(packed);
 }
 
-[[nodiscard]] bool fits_compressed(const PointCloud& cloud) {
-  std::uint64_t point_bytes = 0;
+[[nodiscard]] std::uint64_t point_bytes(const PointCloud& cloud) {
+  std::uint64_t bytes = 0;
   visit_columns(cloud, [&](const char*, char, int size, auto&&) {
-    point_bytes += static_cast<std::uint64_t>(size);
+    bytes += static_cast<std::uint64_t>(size);
   });
+  return bytes;
+}
+
+/// The format that can hold so many points: a compressed PCD keeps its sizes in 32 bits.
+[[nodiscard]] PcdFormat possible_format(PcdFormat wanted,
+                                        const PointCloud& channels,
+                                        std::uint64_t num_points) {
+  const std::uint64_t bytes = point_bytes(channels);
   // Packing adds at most one byte in 32.
-  return cloud.size() <= kMaxCompressedBytes / (point_bytes + point_bytes / 16 + 1);
+  const bool fits = num_points <= kMaxCompressedBytes / (bytes + bytes / 16 + 1);
+  return wanted == PcdFormat::kBinaryCompressed && !fits ? PcdFormat::kBinary : wanted;
 }
 
 }  // namespace
 
+Expected<PcdPieceWriter> PcdPieceWriter::create(const std::filesystem::path& path,
+                                                std::uint64_t num_points,
+                                                CloudEncoding encoding) {
+  HF_TRY(AtomicFile file, AtomicFile::create(path));
+  return PcdPieceWriter(std::move(file), num_points, encoding);
+}
+
+void PcdPieceWriter::start(const PointCloud& channels) {
+  // Compressing takes the whole cloud, so that it is not done to large ones unasked.
+  constexpr std::uint64_t kMaxBytes = std::uint64_t{1} << 26U;
+  PcdFormat wanted = PcdFormat::kBinaryCompressed;
+  if (encoding_ == CloudEncoding::kAscii) wanted = PcdFormat::kAscii;
+  const bool is_large = num_points_ > kMaxBytes / point_bytes(channels);
+  if (encoding_ == CloudEncoding::kBinary || (encoding_ == CloudEncoding::kDefault && is_large)) {
+    wanted = PcdFormat::kBinary;
+  }
+  format_ = possible_format(wanted, channels, num_points_);
+  file_.write(header(channels, num_points_, *format_));
+}
+
+void PcdPieceWriter::add(const PointCloud& piece) {
+  HF_CHECK(validate(piece).has_value());
+  if (!format_) start(piece);
+  if (*format_ == PcdFormat::kBinaryCompressed) {
+    whole_ = concatenate(std::move(whole_), piece);
+  } else {
+    write_rows(file_, piece, *format_);
+  }
+}
+
+Expected<void> PcdPieceWriter::commit() {
+  if (!format_) start({});
+  if (*format_ == PcdFormat::kBinaryCompressed) write_columns_packed(file_, whole_);
+  return file_.commit();
+}
+
 Expected<void> write_pcd(const std::filesystem::path& path,
                          const PointCloud& cloud,
                          const PcdWriteOptions& options) {
-  HF_CHECK(validate(cloud).has_value());
-  PcdFormat format = options.format;
-  if (format == PcdFormat::kBinaryCompressed && !fits_compressed(cloud))
-    format = PcdFormat::kBinary;
-  HF_TRY(AtomicFile file, AtomicFile::create(path));
-  if (format == PcdFormat::kBinaryCompressed) {
-    file.write(header(cloud, "binary_compressed"));
-    write_columns_packed(file, cloud);
-  } else {
-    file.write(header(cloud, format == PcdFormat::kAscii ? "ascii" : "binary"));
-    write_rows(file, cloud, format);
-  }
+  constexpr CloudEncoding kEncodings[] = {// as PcdFormat
+                                          CloudEncoding::kCompressed,
+                                          CloudEncoding::kBinary,
+                                          CloudEncoding::kAscii};
+  HF_TRY(PcdPieceWriter file,
+         PcdPieceWriter::create(
+             path, cloud.size(), kEncodings[static_cast<std::size_t>(options.format)]));
+  file.add(cloud);
   return file.commit();
 }
 

@@ -1,4 +1,4 @@
-#include "placed_readers.hpp"
+#include "cloud_rows.hpp"
 #include "ply_format.hpp"
 
 #include <hybridfusion/io/atomic_file.hpp>
@@ -39,39 +39,45 @@ Expected<void> for_each_row(PlyReader& reader, const PlyElement& element, Visit&
   return {};
 }
 
-Expected<void> read_vertices(PlyReader& reader, const PlyElement& element, CloudBuilder& builder) {
-  if (!builder.has_coordinates()) {
-    return reader.file().malformed("the vertices have no x, y and z", "give a file with points");
-  }
-  builder.reserve(element.count);
-  return for_each_row(
-      reader,
-      element,
-      [&](std::uint64_t row, const std::vector<double>& scalars, const auto&) -> Expected<void> {
-        if (builder.add(scalars)) return {};
-        return reader.file().malformed(
-            fmt::format("vertex {} has a coordinate that is not finite", row),
-            "remove such points, then try again");
-      });
-}
-
-[[nodiscard]] CloudBuilder builder_for(const PlyElement& element) {
+[[nodiscard]] std::vector<CloudColumn> columns_of(const PlyElement& element) {
   std::vector<CloudColumn> columns;
   for (const PlyProperty& property : element.properties) {
     // A list must not be taken for a coordinate: it keeps its place under a name nobody knows.
     columns.push_back(property.count_type ? CloudColumn{}
                                           : cloud_column(property.name, property.type));
   }
-  return CloudBuilder(columns);
+  return columns;
 }
 
-Expected<CloudBuilder> build_ply(const std::filesystem::path& path) {
-  HF_TRY(PlyReader reader, PlyReader::open(path));
-  HF_TRY(const PlyElement* vertices, advance_to(reader, "vertex"));
-  CloudBuilder builder = builder_for(*vertices);
-  if (auto read = read_vertices(reader, *vertices, builder); !read)
-    return std::unexpected(read.error());
-  return builder;
+/// @param add  Returns false for a row with coordinates that are not finite.
+template <class Add>
+Expected<void> read_vertices(PlyReader& reader, const PlyElement& element, Add&& add) {
+  if (!has_coordinates(columns_of(element))) {
+    return reader.file().malformed("the vertices have no x, y and z", "give a file with points");
+  }
+  return for_each_row(
+      reader,
+      element,
+      [&](std::uint64_t row, const std::vector<double>& scalars, const auto&) -> Expected<void> {
+        HF_TRY(const bool finite, add(scalars));
+        if (finite) return {};
+        return reader.file().malformed(
+            fmt::format("vertex {} has a coordinate that is not finite", row),
+            "remove such points, then try again");
+      });
+}
+
+/// The cloud of the next `element.count` vertices.
+Expected<PointCloud> build_vertices(const std::filesystem::path& path,
+                                    PlyReader& reader,
+                                    const PlyElement& element) {
+  CloudBuilder builder(columns_of(element));
+  builder.reserve(element.count);
+  auto read = read_vertices(reader, element, [&](std::span<const double> row) -> Expected<bool> {
+    return builder.add(row);
+  });
+  if (!read) return std::unexpected(read.error());
+  return finished(path, std::move(builder).finish());
 }
 
 [[nodiscard]] int property_index(const PlyElement& element,
@@ -126,13 +132,18 @@ const std::vector<double>* PlyTable::find(std::string_view name) const {
 }
 
 Expected<PointCloud> read_ply(const std::filesystem::path& path) {
-  HF_TRY(CloudBuilder builder, build_ply(path));
-  return finished(path, std::move(builder).finish());
+  return build_cloud(path, read_ply_rows);
 }
 
-Expected<PlacedCloud> read_placed_ply(const std::filesystem::path& path) {
-  HF_TRY(CloudBuilder builder, build_ply(path));
-  return finished(path, std::move(builder).finish_placed());
+Expected<CloudFileFacts> read_ply_rows(const std::filesystem::path& path,
+                                       const CloudRowSink& sink) {
+  HF_TRY(PlyReader reader, PlyReader::open(path));
+  HF_TRY(const PlyElement* vertices, advance_to(reader, "vertex"));
+  sink.begin(reader.file(), columns_of(*vertices), vertices->count);
+  if (auto read = read_vertices(reader, *vertices, sink.row); !read) {
+    return std::unexpected(read.error());
+  }
+  return CloudFileFacts{};
 }
 
 Expected<void> read_ply_batches(const std::filesystem::path& path,
@@ -144,9 +155,7 @@ Expected<void> read_ply_batches(const std::filesystem::path& path,
   PlyElement batch = *vertices;
   for (std::uint64_t done = 0; done < vertices->count; done += batch.count) {
     batch.count = std::min<std::uint64_t>(batch_points, vertices->count - done);
-    CloudBuilder builder = builder_for(batch);
-    if (auto read = read_vertices(reader, batch, builder); !read) return read;
-    HF_TRY(PointCloud cloud, finished(path, std::move(builder).finish()));
+    HF_TRY(PointCloud cloud, build_vertices(path, reader, batch));
     if (auto visited = visit(std::move(cloud)); !visited) return visited;
   }
   return {};
@@ -158,10 +167,7 @@ Expected<TriangleMesh> read_ply_mesh(const std::filesystem::path& path) {
   bool has_vertices = false;
   for (const PlyElement& element : reader.elements()) {
     if (element.name == "vertex" && !has_vertices) {
-      CloudBuilder builder = builder_for(element);
-      if (auto read = read_vertices(reader, element, builder); !read)
-        return std::unexpected(read.error());
-      HF_TRY(PointCloud cloud, finished(path, std::move(builder).finish()));
+      HF_TRY(PointCloud cloud, build_vertices(path, reader, element));
       mesh.vertices = std::move(cloud.points);
       mesh.colors = std::move(cloud.colors);
       has_vertices = true;

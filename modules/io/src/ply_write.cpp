@@ -51,21 +51,28 @@ void visit_values(const PointCloud& cloud, std::size_t i, Put&& put) {
   if (!cloud.sources.empty()) put(static_cast<std::uint8_t>(cloud.sources[i]));
 }
 
-void append_binary(const PointCloud& cloud, AtomicFile& file) {
+void append_rows(const PointCloud& cloud, PlyFormat format, AtomicFile& file) {
   std::string row;
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     row.clear();
-    visit_values(cloud, i, [&row](auto value) { append_value(row, value); });
+    if (format == PlyFormat::kBinaryLittleEndian) {
+      visit_values(cloud, i, [&row](auto value) { append_value(row, value); });
+    } else {
+      visit_values(
+          cloud, i, [&row](auto value) { fmt::format_to(std::back_inserter(row), "{} ", value); });
+      row.back() = '\n';
+    }
     file.write(row);
   }
 }
 
 /// The header of a file whose number of points becomes known last: a comment makes up for its
 /// digits.
-std::string padded_header(const PointCloud& channels, std::size_t num_points) {
+std::string padded_header(const PointCloud& channels, std::size_t num_points, PlyFormat format) {
   constexpr std::size_t kDigits = 20;
   const std::size_t digits = fmt::format("{}", num_points).size();
-  return header(channels, num_points, {.comments = {std::string(kDigits - digits, '-')}});
+  return header(
+      channels, num_points, {.format = format, .comments = {std::string(kDigits - digits, '-')}});
 }
 
 }  // namespace
@@ -76,24 +83,14 @@ Expected<void> write_ply(const std::filesystem::path& path,
   HF_CHECK(validate(cloud).has_value());
   HF_TRY(AtomicFile file, AtomicFile::create(path));
   file.write(header(cloud, cloud.size(), options));
-  if (options.format == PlyFormat::kBinaryLittleEndian) {
-    append_binary(cloud, file);
-    return file.commit();
-  }
-  std::string row;
-  for (std::size_t i = 0; i < cloud.size(); ++i) {
-    row.clear();
-    visit_values(
-        cloud, i, [&row](auto value) { fmt::format_to(std::back_inserter(row), "{} ", value); });
-    row.back() = '\n';
-    file.write(row);
-  }
+  append_rows(cloud, options.format, file);
   return file.commit();
 }
 
-Expected<PlyPieceWriter> PlyPieceWriter::create(const std::filesystem::path& path) {
+Expected<PlyPieceWriter> PlyPieceWriter::create(const std::filesystem::path& path,
+                                                PlyFormat format) {
   HF_TRY(AtomicFile file, AtomicFile::create(path));
-  return PlyPieceWriter(std::move(file));
+  return PlyPieceWriter(std::move(file), format);
 }
 
 void PlyPieceWriter::add(const PointCloud& piece) {
@@ -101,14 +98,14 @@ void PlyPieceWriter::add(const PointCloud& piece) {
   if (piece.empty()) return;
   if (num_points_ == 0) {
     channels_ = select(piece, {0});
-    file_.write(padded_header(channels_, 0));
+    file_.write(padded_header(channels_, 0, format_));
   }
   num_points_ += piece.size();
-  append_binary(piece, file_);
+  append_rows(piece, format_, file_);
 }
 
 Expected<void> PlyPieceWriter::commit() {
-  const std::string text = padded_header(channels_, num_points_);
+  const std::string text = padded_header(channels_, num_points_, format_);
   if (num_points_ == 0) {
     file_.write(text);
   } else {

@@ -1,11 +1,15 @@
-#include "placed_readers.hpp"
+#include "cloud_rows.hpp"
 #include "text.hpp"
 #include "xyz.hpp"
 
+#include <hybridfusion/io/cloud_stream.hpp>
+#include <hybridfusion/io/cloud_writer.hpp>
 #include <hybridfusion/io/las.hpp>
 #include <hybridfusion/io/pcd.hpp>
 #include <hybridfusion/io/ply.hpp>
 #include <hybridfusion/io/point_cloud_file.hpp>
+
+#include <algorithm>
 
 #include <fmt/format.h>
 
@@ -35,6 +39,15 @@ namespace {
                           extension_of(path)));
 }
 
+Expected<CloudRowReader> reader_of(const std::filesystem::path& path) {
+  const std::string extension = extension_of(path);
+  if (extension == ".ply") return CloudRowReader{read_ply_rows};
+  if (extension == ".pcd") return CloudRowReader{read_pcd_rows};
+  if (extension == ".las") return CloudRowReader{read_las_rows};
+  if (is_text_cloud(extension)) return CloudRowReader{read_xyz_rows};
+  return not_read(path);
+}
+
 }  // namespace
 
 Expected<PointCloud> read_point_cloud(const std::filesystem::path& path) {
@@ -57,12 +70,23 @@ Expected<PointCloud> read_point_cloud(const std::filesystem::path& path) {
 }
 
 Expected<PlacedCloud> read_placed_cloud(const std::filesystem::path& path) {
-  const std::string extension = extension_of(path);
-  if (extension == ".ply") return read_placed_ply(path);
-  if (extension == ".pcd") return read_placed_pcd(path);
-  if (extension == ".las") return read_las(path);
-  if (is_text_cloud(extension)) return read_placed_xyz(path);
-  return not_read(path);
+  HF_TRY(const CloudRowReader reader, reader_of(path));
+  HF_TRY(const CloudSurvey survey, survey_rows(path, reader, {}));
+  return collect_rows(path, survey, reader);
+}
+
+Expected<CloudSurvey> survey_cloud(const std::filesystem::path& path, const RunContext& ctx) {
+  HF_TRY(const CloudRowReader reader, reader_of(path));
+  return survey_rows(path, reader, ctx);
+}
+
+Expected<void> read_cloud_batches(const std::filesystem::path& path,
+                                  const CloudSurvey& survey,
+                                  std::size_t batch_points,
+                                  const CloudBatchVisitor& visit,
+                                  const RunContext& ctx) {
+  HF_TRY(const CloudRowReader reader, reader_of(path));
+  return visit_rows(path, survey, reader, {.points = batch_points, .visit = visit}, ctx);
 }
 
 Expected<void> write_point_cloud(const std::filesystem::path& path,
@@ -79,18 +103,17 @@ Expected<void> write_point_cloud(const std::filesystem::path& path,
 }
 
 Expected<bool> write_placed_cloud(const std::filesystem::path& path, const PlacedCloud& placed) {
-  const std::string extension = extension_of(path);
-  Expected<void> written;
-  const bool keeps_offset = extension == ".xyz" || extension == ".las";
-  if (extension == ".xyz") {
-    written = write_xyz(path, placed.cloud, placed.offset_m);
-  } else if (extension == ".las") {
-    written = write_las(path, placed.cloud, {.offset_m = placed.offset_m, .wkt = placed.crs.wkt});
-  } else {
-    written = write_point_cloud(path, placed.cloud);
-  }
-  if (!written) return std::unexpected(written.error());
-  return keeps_offset || placed.offset_m.isZero();
+  const std::vector<float>& intensities = placed.cloud.intensities;
+  const CloudSurvey survey = {
+      .num_points = placed.cloud.size(),
+      .offset_m = placed.offset_m,
+      .crs = placed.crs,
+      .has_intensity = !intensities.empty(),
+      .largest_intensity = intensities.empty() ? 0.0F : std::ranges::max(intensities)};
+  HF_TRY(CloudWriter file, CloudWriter::create(path, survey, CloudEncoding::kDefault));
+  if (auto added = file.add(placed.cloud); !added) return std::unexpected(added.error());
+  if (auto written = file.commit(); !written) return std::unexpected(written.error());
+  return file.keeps_offset();
 }
 
 }  // namespace hybridfusion

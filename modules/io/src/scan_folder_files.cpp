@@ -156,19 +156,19 @@ Expected<LidarScan> read_scan_file(const ScanFile& scan_file, PointTimeReader& t
   RawPointTimes raw = {.field = columns.time_name, .type = columns.time_type};
   const PcdSink sink = {
       .reserve = [&scan](std::uint64_t points) { scan.points.reserve(points); },
-      .row =
-          [&](std::span<const double> row) {
-            LidarPoint& point = scan.points.emplace_back();
-            for (int axis = 0; axis < 3; ++axis) {
-              point.point_in_lidar[axis] = static_cast<float>(row[columns.position[axis]]);
-            }
-            if (columns.intensity >= 0) {
-              point.intensity = static_cast<float>(row[columns.intensity]);
-            }
-            const double ring = columns.ring >= 0 ? row[columns.ring] : 0.0;
-            point.ring = static_cast<std::uint16_t>(ring >= 0.0 && ring <= 65535.0 ? ring : 0.0);
-            if (columns.time >= 0) raw.values.push_back(row[columns.time]);
-          }};
+      .row = [&](std::span<const double> row) -> Expected<void> {
+        LidarPoint& point = scan.points.emplace_back();
+        for (int axis = 0; axis < 3; ++axis) {
+          point.point_in_lidar[axis] = static_cast<float>(row[columns.position[axis]]);
+        }
+        if (columns.intensity >= 0) {
+          point.intensity = static_cast<float>(row[columns.intensity]);
+        }
+        const double ring = columns.ring >= 0 ? row[columns.ring] : 0.0;
+        point.ring = static_cast<std::uint16_t>(ring >= 0.0 && ring <= 65535.0 ? ring : 0.0);
+        if (columns.time >= 0) raw.values.push_back(row[columns.time]);
+        return {};
+      }};
   if (auto read = read_pcd_rows(file, header, sink); !read) return std::unexpected(read.error());
   times.assign(scan, raw);
   return scan;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -12,25 +13,6 @@ namespace {
 
 constexpr double kMaxCells = 1e8;
 constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
-
-struct Extent {
-  Eigen::Vector2d low = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
-  Eigen::Vector2d high = -low;
-};
-
-[[nodiscard]] Eigen::Vector3d position_of(const PlacedCloud& placed, std::size_t i) {
-  return placed.cloud.points[i].cast<double>() + placed.offset_m;
-}
-
-[[nodiscard]] Extent extent_of(const PlacedCloud& placed) {
-  Extent extent;
-  for (std::size_t i = 0; i < placed.cloud.size(); ++i) {
-    const Eigen::Vector2d at = position_of(placed, i).head<2>();
-    extent.low = extent.low.cwiseMin(at);
-    extent.high = extent.high.cwiseMax(at);
-  }
-  return extent;
-}
 
 /// Sums of the cells around a gap.
 struct Neighbours {
@@ -77,17 +59,26 @@ void fill_once(SurfaceRaster& raster) {
 
 }  // namespace
 
-Expected<SurfaceRaster> make_surface_raster(const PlacedCloud& placed,
-                                            const SurfaceRasterOptions& options) {
+void SurfaceExtent::add(const PointCloud& cloud, const Eigen::Vector3d& offset_m) {
+  for (const Eigen::Vector3f& point : cloud.points) {
+    const Eigen::Array2d at = (point.cast<double>() + offset_m).head<2>();
+    low = low.min(at);
+    high = high.max(at);
+  }
+}
+
+Expected<SurfaceRasterBuilder> SurfaceRasterBuilder::create(const SurfaceExtent& extent,
+                                                            const SurfaceRasterOptions& options) {
   HF_CHECK(options.cell_m > 0.0 && options.fill_cells >= 0);
-  const PointCloud& cloud = placed.cloud;
-  if (cloud.empty()) return fail(ErrorCode::kInsufficient, "the cloud has no points to draw");
+  if (extent.low.x() > extent.high.x()) {
+    return fail(ErrorCode::kInsufficient, "the cloud has no points to draw");
+  }
+  SurfaceRasterBuilder builder(options);
   const double cell_m = options.cell_m;
-  const Extent extent = extent_of(placed);
   // Whole cells, so that rasters of neighbouring clouds fit together.
-  const Eigen::Array2d first = (extent.low / cell_m).array().floor();
-  const Eigen::Array2d last = (extent.high / cell_m).array().floor();
-  const Eigen::Array2d cells = last - first + 1.0;
+  builder.first_ = (extent.low / cell_m).floor();
+  builder.last_ = (extent.high / cell_m).floor();
+  const Eigen::Array2d cells = builder.last_ - builder.first_ + 1.0;
   if (!(cells.prod() <= kMaxCells)) {  // also NaN
     return fail(ErrorCode::kInvalidOptions,
                 fmt::format("{:.0f} x {:.0f} cells of {} m are more than {:g}; take larger cells "
@@ -97,25 +88,42 @@ Expected<SurfaceRaster> make_surface_raster(const PlacedCloud& placed,
                             cell_m,
                             kMaxCells));
   }
-  SurfaceRaster raster = {.columns = static_cast<int>(cells.x()),
-                          .rows = static_cast<int>(cells.y()),
-                          .cell_m = cell_m,
-                          .north_west = {first.x() * cell_m, (last.y() + 1.0) * cell_m},
-                          .wkt = placed.crs.wkt};
-  raster.heights_m.assign(static_cast<std::size_t>(cells.prod()), kNothing);
-  if (!cloud.colors.empty()) raster.colors.resize(raster.heights_m.size());
+  builder.raster_ = {
+      .columns = static_cast<int>(cells.x()),
+      .rows = static_cast<int>(cells.y()),
+      .cell_m = cell_m,
+      .north_west = {builder.first_.x() * cell_m, (builder.last_.y() + 1.0) * cell_m}};
+  builder.raster_.heights_m.assign(static_cast<std::size_t>(cells.prod()), kNothing);
+  return builder;
+}
+
+void SurfaceRasterBuilder::add(const PointCloud& cloud, const Eigen::Vector3d& offset_m) {
+  if (!cloud.colors.empty()) raster_.colors.resize(raster_.heights_m.size());
   for (std::size_t i = 0; i < cloud.size(); ++i) {
-    const Eigen::Vector3d at = position_of(placed, i);
-    const auto column = static_cast<std::size_t>(std::floor(at.x() / cell_m) - first.x());
-    const auto row = static_cast<std::size_t>(last.y() - std::floor(at.y() / cell_m));
-    const std::size_t cell = row * static_cast<std::size_t>(raster.columns) + column;
+    const Eigen::Vector3d at = cloud.points[i].cast<double>() + offset_m;
+    const auto column = static_cast<std::size_t>(std::floor(at.x() / raster_.cell_m) - first_.x());
+    const auto row = static_cast<std::size_t>(last_.y() - std::floor(at.y() / raster_.cell_m));
+    const std::size_t cell = row * static_cast<std::size_t>(raster_.columns) + column;
     const auto height_m = static_cast<float>(at.z());
-    if (height_m <= raster.heights_m[cell]) continue;  // false for an empty cell (NaN)
-    raster.heights_m[cell] = height_m;
-    if (!cloud.colors.empty()) raster.colors[cell] = cloud.colors[i];
+    if (height_m <= raster_.heights_m[cell]) continue;  // false for an empty cell (NaN)
+    raster_.heights_m[cell] = height_m;
+    if (!cloud.colors.empty()) raster_.colors[cell] = cloud.colors[i];
   }
-  for (int i = 0; i < options.fill_cells; ++i) fill_once(raster);
-  return raster;
+}
+
+SurfaceRaster SurfaceRasterBuilder::finish(std::string wkt) && {
+  raster_.wkt = std::move(wkt);
+  for (int i = 0; i < options_.fill_cells; ++i) fill_once(raster_);
+  return std::move(raster_);
+}
+
+Expected<SurfaceRaster> make_surface_raster(const PlacedCloud& placed,
+                                            const SurfaceRasterOptions& options) {
+  SurfaceExtent extent;
+  extent.add(placed.cloud, placed.offset_m);
+  HF_TRY(SurfaceRasterBuilder builder, SurfaceRasterBuilder::create(extent, options));
+  builder.add(placed.cloud, placed.offset_m);
+  return std::move(builder).finish(placed.crs.wkt);
 }
 
 }  // namespace hybridfusion

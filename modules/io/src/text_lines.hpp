@@ -23,6 +23,8 @@ class TextLines {
     return file_.line();
   }
 
+  [[nodiscard]] const InputFile& file() const { return file_; }
+
   [[nodiscard]] std::unexpected<Error> malformed(
       std::string_view cause,
       std::string_view remedy,

@@ -1,13 +1,11 @@
 #include "xyz.hpp"
 
-#include "placed_readers.hpp"
+#include "cloud_rows.hpp"
 #include "text.hpp"
 #include "text_lines.hpp"
 
-#include <hybridfusion/io/atomic_file.hpp>
-
 #include <algorithm>
-#include <optional>
+#include <iterator>
 
 namespace hybridfusion {
 namespace {
@@ -25,87 +23,106 @@ constexpr std::string_view kExpected =
   return columns;
 }
 
-[[nodiscard]] std::vector<std::string_view> words_of(std::string& line) {
-  std::ranges::replace_if(line, [](char c) { return c == ',' || c == ';'; }, ' ');
-  return split_words(line);
-}
+constexpr auto kIsSeparator = [](char c) {
+  return c == ',' || c == ';' || c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
+};
 
-[[nodiscard]] std::optional<std::vector<double>> numbers_of(
-    const std::vector<std::string_view>& words) {
-  std::vector<double> numbers;
-  for (const std::string_view word : words) {
-    const auto value = parse_number<double>(word);
-    if (!value) return std::nullopt;
+/// The numbers of a line; false when one of its words is none.
+[[nodiscard]] bool parse_numbers(std::string_view line, std::vector<double>& numbers) {
+  numbers.clear();
+  const char* const end = line.data() + line.size();
+  for (const char* from = line.data();;) {
+    from = std::find_if_not(from, end, kIsSeparator);
+    if (from == end) return true;
+    const char* const stop = std::find_if(from, end, kIsSeparator);
+    const auto value = parse_number<double>({from, stop});
+    if (!value) return false;
     numbers.push_back(*value);
+    from = stop;
   }
-  return numbers;
 }
 
-Expected<CloudBuilder> build_xyz(const std::filesystem::path& path) {
-  HF_TRY(TextLines lines, TextLines::open(path));
-  std::optional<CloudBuilder> builder;
-  std::size_t num_columns = 0;
-  bool first = true;
-  for (;;) {
-    HF_TRY(const auto line, lines.next());
-    if (!line) break;
-    std::string copy(*line);
-    const std::vector<std::string_view> words = words_of(copy);
-    if (words.empty() || words[0].starts_with('#') || words[0].starts_with("//")) continue;
-    const auto numbers = numbers_of(words);
-    const bool is_heading = first && (!numbers || numbers->size() == 1);
-    first = false;
-    if (is_heading) continue;
-    if (!builder && numbers) {
-      num_columns = numbers->size();
-      builder.emplace(columns_for(num_columns));
-    }
-    if (!numbers || numbers->size() < 3 || numbers->size() != num_columns ||
-        !builder->add(*numbers)) {
-      return lines.malformed(fmt::format("'{}' is no point like those before", printable(*line)),
-                             kExpected);
-    }
-  }
-  if (!builder) return lines.malformed("there are no points", kExpected);
-  return std::move(*builder);
+[[nodiscard]] bool is_comment(std::string_view line) {
+  const std::string_view text = trimmed(line);
+  return text.find_first_not_of(",; \t") == std::string_view::npos || text.starts_with('#') ||
+         text.starts_with("//");
 }
 
 }  // namespace
 
-Expected<PointCloud> read_xyz(const std::filesystem::path& path) {
-  HF_TRY(CloudBuilder builder, build_xyz(path));
-  return finished(path, std::move(builder).finish());
+Expected<CloudFileFacts> read_xyz_rows(const std::filesystem::path& path,
+                                       const CloudRowSink& sink) {
+  HF_TRY(TextLines lines, TextLines::open(path));
+  std::size_t num_columns = 0;
+  std::vector<double> numbers;
+  bool first = true;
+  for (;;) {
+    HF_TRY(const auto line, lines.next());
+    if (!line) break;
+    if (is_comment(*line)) continue;
+    const bool are_numbers = parse_numbers(*line, numbers);
+    const bool is_heading = first && (!are_numbers || numbers.size() == 1);
+    first = false;
+    if (is_heading) continue;
+    const auto bad = [&] {
+      return lines.malformed(fmt::format("'{}' is no point like those before", printable(*line)),
+                             kExpected);
+    };
+    if (!are_numbers || numbers.size() < 3) return bad();
+    if (num_columns == 0) {
+      num_columns = numbers.size();
+      sink.begin(lines.file(), columns_for(num_columns), 0);
+    }
+    if (numbers.size() != num_columns) return bad();
+    HF_TRY(const bool finite, sink.row(numbers));
+    if (!finite) return bad();
+  }
+  if (num_columns == 0) return lines.malformed("there are no points", kExpected);
+  return CloudFileFacts{};
 }
 
-Expected<PlacedCloud> read_placed_xyz(const std::filesystem::path& path) {
-  HF_TRY(CloudBuilder builder, build_xyz(path));
-  return finished(path, std::move(builder).finish_placed());
+Expected<PointCloud> read_xyz(const std::filesystem::path& path) {
+  return build_cloud(path, read_xyz_rows);
+}
+
+Expected<XyzPieceWriter> XyzPieceWriter::create(const std::filesystem::path& path,
+                                                const Eigen::Vector3d& offset_m) {
+  HF_TRY(AtomicFile file, AtomicFile::create(path));
+  return XyzPieceWriter(std::move(file), offset_m);
+}
+
+void XyzPieceWriter::add(const PointCloud& piece) {
+  HF_CHECK(validate(piece).has_value());
+  std::string row;
+  const auto out = std::back_inserter(row);
+  for (std::size_t i = 0; i < piece.size(); ++i) {
+    const Eigen::Vector3f& at = piece.points[i];
+    row.clear();
+    if (offset_m_.isZero()) {
+      fmt::format_to(out, "{} {} {}", at.x(), at.y(), at.z());
+    } else {
+      const Eigen::Vector3d placed = at.cast<double>() + offset_m_;
+      fmt::format_to(out, "{:.4f} {:.4f} {:.4f}", placed.x(), placed.y(), placed.z());
+    }
+    if (!piece.intensities.empty()) fmt::format_to(out, " {}", piece.intensities[i]);
+    if (!piece.colors.empty()) {
+      const Rgb8& color = piece.colors[i];
+      fmt::format_to(out, " {} {} {}", color[0], color[1], color[2]);
+    }
+    row += '\n';
+    file_.write(row);
+  }
+}
+
+Expected<void> XyzPieceWriter::commit() {
+  return file_.commit();
 }
 
 Expected<void> write_xyz(const std::filesystem::path& path,
                          const PointCloud& cloud,
                          const Eigen::Vector3d& offset_m) {
-  HF_CHECK(validate(cloud).has_value());
-  HF_TRY(AtomicFile file, AtomicFile::create(path));
-  std::string row;
-  for (std::size_t i = 0; i < cloud.size(); ++i) {
-    const Eigen::Vector3f& at = cloud.points[i];
-    row.clear();
-    if (offset_m.isZero()) {
-      fmt::format_to(std::back_inserter(row), "{} {} {}", at.x(), at.y(), at.z());
-    } else {
-      const Eigen::Vector3d placed = at.cast<double>() + offset_m;
-      fmt::format_to(
-          std::back_inserter(row), "{:.4f} {:.4f} {:.4f}", placed.x(), placed.y(), placed.z());
-    }
-    if (!cloud.intensities.empty())
-      fmt::format_to(std::back_inserter(row), " {}", cloud.intensities[i]);
-    if (!cloud.colors.empty()) {
-      const Rgb8& color = cloud.colors[i];
-      fmt::format_to(std::back_inserter(row), " {} {} {}", color[0], color[1], color[2]);
-    }
-    file.write(row + "\n");
-  }
+  HF_TRY(XyzPieceWriter file, XyzPieceWriter::create(path, offset_m));
+  file.add(cloud);
   return file.commit();
 }
 

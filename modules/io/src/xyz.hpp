@@ -2,8 +2,10 @@
 
 #include <hybridfusion/core/error.hpp>
 #include <hybridfusion/core/point_cloud.hpp>
+#include <hybridfusion/io/atomic_file.hpp>
 
 #include <filesystem>
+#include <utility>
 
 namespace hybridfusion {
 
@@ -17,5 +19,23 @@ namespace hybridfusion {
 [[nodiscard]] Expected<void> write_xyz(const std::filesystem::path& path,
                                        const PointCloud& cloud,
                                        const Eigen::Vector3d& offset_m);
+
+/// The same file from pieces, without holding it. It appears when commit() is called.
+class XyzPieceWriter {
+ public:
+  /// @returns kIo.
+  [[nodiscard]] static Expected<XyzPieceWriter> create(const std::filesystem::path& path,
+                                                       const Eigen::Vector3d& offset_m);
+  /// @pre validate(piece); every piece has the channels of the first.
+  void add(const PointCloud& piece);
+  [[nodiscard]] Expected<void> commit();
+
+ private:
+  XyzPieceWriter(AtomicFile file, const Eigen::Vector3d& offset_m)
+      : file_(std::move(file)), offset_m_(offset_m) {}
+
+  AtomicFile file_;
+  Eigen::Vector3d offset_m_;
+};
 
 }  // namespace hybridfusion

@@ -80,9 +80,13 @@ TEST(SurfaceRaster, RefusesWhatCannotBeDrawn) {
 TEST(SurfaceRaster, GeoTiffsHavePlaceSystemAndValues) {
   const TempFolder folder;
   const GeodeticOrigin origin = {.latitude_deg = 48.0, .longitude_deg = 9.0, .altitude_m = 500.0};
-  const auto placed = project_cloud(house().cloud, {.origin = origin});
-  ASSERT_TRUE(placed) << placed.error().message;
-  const auto raster = make_surface_raster(*placed, {.cell_m = 0.5});
+  const auto projector = CloudProjector::create({.origin = origin});
+  ASSERT_TRUE(projector) << projector.error().message;
+  auto projected = (*projector)(house().cloud);
+  ASSERT_TRUE(projected) << projected.error().message;
+  const PlacedCloud placed = {
+      .cloud = std::move(*projected), .offset_m = projector->offset_m(), .crs = projector->crs()};
+  const auto raster = make_surface_raster(placed, {.cell_m = 0.5});
   ASSERT_TRUE(raster);
   ASSERT_TRUE(write_dsm(folder.path() / "dsm.tif", *raster));
   ASSERT_TRUE(write_orthophoto(folder.path() / "ortho.tif", *raster));

@@ -107,7 +107,8 @@ Expected<void> ViewClouds::visit(const std::filesystem::path& path,
                                  const Visitor& visitor) {
   float low = 0.0F;
   float high = 1.0F;
-  if (cloud == ViewCloud::kLidar) {
+  // Of the fused cloud only the LiDAR's part has intensities: it looks like the LiDAR's own cloud.
+  if (cloud != ViewCloud::kVision && !lidar_path_.empty()) {
     HF_TRY(const Digest* lidar, digest(ViewCloud::kLidar));
     low = lidar->low_intensity;
     high = lidar->high_intensity;

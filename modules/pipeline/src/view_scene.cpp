@@ -23,7 +23,7 @@ bool is_file(const std::filesystem::path& path) {
 
 /// Size and time of each file that is there.
 std::string key_of(const std::filesystem::path& root) {
-  constexpr int kFormat = 1;  // of the cached octrees; a new one makes them anew
+  constexpr int kFormat = 2;  // of the cached octrees; a new one makes them anew
   std::string key = fmt::format("format {}\n", kFormat);
   for (const std::string_view name : {workspace_file::kDense,
                                       workspace_file::kMap,

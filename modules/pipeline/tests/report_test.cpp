@@ -78,6 +78,7 @@ TEST_F(Report, ShowsEveryFigureOfACompleteWorkspaceAndNamesItsFile) {
   }
   EXPECT_THAT(html, HasSubstr("<code>vision/positions.csv</code>"));
   EXPECT_THAT(html, HasSubstr("peak memory [MiB]"));
+  EXPECT_THAT(html, HasSubstr("Ran: reconstruct, map, register"));
   EXPECT_THAT(without_pictures(html), AllOf(Not(HasSubstr("nan")), Not(HasSubstr("inf "))));
 }
 
@@ -134,7 +135,9 @@ TEST_F(Report, DamagedFilesCostTheirFiguresNotTheReport) {
 }
 
 TEST_F(Report, OfAnEmptyWorkspaceSaysThatNothingRan) {
-  EXPECT_THAT(report(), HasSubstr("no stage has run yet"));
+  const std::string html = report();
+  EXPECT_THAT(html, HasSubstr("no stage has run yet"));
+  EXPECT_THAT(html, HasSubstr("Ran: nothing. Not run: reconstruct, map, register, evaluate."));
 }
 
 TEST(Ticks, AreRoundAndWithinTheEnds) {

@@ -34,6 +34,7 @@ TEST_F(Scene, HasAllLayersWithColourIntensityAndDistance) {
   for (const ViewLayer& layer : scene->layers) {
     std::size_t count = 0;
     float nearest_m = kMaxViewDistance_m;
+    std::size_t between = 0;
     const auto read = layer.batches(
         [&](const PointCloud& batch, std::span<const float> distances_m) -> Expected<void> {
           count += batch.size();
@@ -41,11 +42,15 @@ TEST_F(Scene, HasAllLayersWithColourIntensityAndDistance) {
           EXPECT_EQ(distances_m.size(), batch.size());
           nearest_m = std::min(nearest_m, *std::ranges::min_element(distances_m));
           EXPECT_LE(*std::ranges::max_element(distances_m), kMaxViewDistance_m);
-          for (const float value : batch.intensities) EXPECT_TRUE(value >= 0.0F && value <= 1.0F);
+          for (const float value : batch.intensities) {
+            EXPECT_TRUE(value >= 0.0F && value <= 1.0F);
+            between += value > 0.0F && value < 1.0F ? 1 : 0;
+          }
           return {};
         });
     ASSERT_TRUE(read) << read.error().message;
     EXPECT_GT(count, 1000U);
+    EXPECT_EQ(between > 100, layer.name != "vision") << layer.name << ": the street is not black";
     EXPECT_LT(nearest_m, 0.1F) << layer.name << ": the registered clouds share walls and street";
   }
   const Json json = Json::parse(scene->json);

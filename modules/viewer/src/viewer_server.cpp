@@ -107,7 +107,7 @@ Expected<ViewerServer> ViewerServer::open(const std::filesystem::path& root,
                                           int port) {
   auto impl = std::make_unique<Impl>();
   for (const ServedFile& file : files) {
-    HF_TRY(OpenContent content, OpenContent::open(root, file));
+    HF_TRY(OpenContent content, OpenContent::open(file.root.empty() ? root : file.root, file));
     Entry entry{.content = std::move(content), .content_type = file.content_type};
     if (file.policy == ContentPolicy::kDocument) entry.policy = kDocumentPolicy;
     impl->entries.insert_or_assign(file.url, std::move(entry));

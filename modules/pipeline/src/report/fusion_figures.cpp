@@ -75,7 +75,8 @@ std::optional<Figure> baseline_figure(const Json& metrics) {
                                                      : "–";
   };
   rows += fmt::format(
-      "<tr><td>{} (this result)</td><td>–</td><td class=v>{}</td><td class=v>{}</td></tr>\n",
+      "<tr><td>{} (this result)</td><td>registered</td><td class=v>{}</td><td "
+      "class=v>{}</td></tr>\n",
       escaped(metrics.value("method", "")),
       number(metrics, "boundary_accuracy_m"),
       number(metrics, "seconds"));

@@ -125,7 +125,7 @@ Verdict overall_verdict(const ReportData& data, const std::vector<Light>& lights
     if (found != lights.end()) return {word, color, found->what + ": " + found->value};
   }
   if (lights.empty()) return {"NO RESULT", "amber", "no stage has run yet"};
-  return {"GREEN", "green", "all checks are good"};
+  return {"GREEN", "green", "all checks of what ran are good"};
 }
 
 }  // namespace hybridfusion

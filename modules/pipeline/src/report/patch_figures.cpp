@@ -32,7 +32,7 @@ const OutcomeStyle& style_of(const std::string& outcome) {
 }
 
 std::string patch_map(const ReportData& data, const Json& patches) {
-  Eigen::AlignedBox2d box = trimmed_box(data.vision.points, 0.01, 2.0);
+  Eigen::AlignedBox2d box;
   std::vector<Eigen::Vector2d> centers;
   for (const Json& patch : patches) {
     if (!patch.contains("centroid_in_vision")) return {};
@@ -41,11 +41,15 @@ std::string patch_map(const ReportData& data, const Json& patches) {
     box.extend(centers.back());
   }
   if (box.isEmpty()) return {};
-  PlanMap map(box, 620.0);
+  const Eigen::Vector2d margin = Eigen::Vector2d::Constant(15.0);
+  PlanMap map({box.min() - margin, box.max() + margin}, 620.0);
+  const std::string picture = cloud_from_above(data.vision, map.box());
+  if (!picture.empty()) map.background(picture, 0.55);
   for (std::size_t i = 0; i < centers.size(); ++i) {
+    map.dot(centers[i], "#ffffff", 8.5, "");
     const std::string outcome = patches[i].value("outcome", "");
     const OutcomeStyle& style = style_of(outcome);
-    map.dot(centers[i], style.color, 6.0, style.title);
+    map.dot(centers[i], style.color, 6.5, style.title);
   }
   std::string legend = "<p class=keys>";
   for (const OutcomeStyle& style : kOutcomes) {

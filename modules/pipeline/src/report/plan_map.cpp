@@ -138,6 +138,16 @@ std::string PlanMap::svg() const {
   return svg;
 }
 
+std::string cloud_from_above(const PointCloud& cloud, const Eigen::AlignedBox2d& box) {
+  constexpr int kWidth_px = 900;
+  if (cloud.empty()) return {};
+  Splatter splatter(view_from_above(box, kWidth_px));
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    splatter.add(cloud.points[i], cloud.colors.empty() ? Rgb8{120, 120, 120} : cloud.colors[i], 1);
+  }
+  return data_uri(splatter.image({70, 76, 84})).value_or("");
+}
+
 Eigen::AlignedBox2d trimmed_box(std::span<const Eigen::Vector3f> points,
                                 double share,
                                 double margin_m) {

@@ -49,6 +49,9 @@ class PlanMap {
   std::string body_ = {};
 };
 
+/// The cloud in its colours for PlanMap::background; empty for an empty cloud.
+[[nodiscard]] std::string cloud_from_above(const PointCloud& cloud, const Eigen::AlignedBox2d& box);
+
 /// Bounding box of all but `share` of the points on each side, grown by `margin_m`.
 [[nodiscard]] Eigen::AlignedBox2d trimmed_box(std::span<const Eigen::Vector3f> points,
                                               double share,

@@ -33,11 +33,13 @@ Figure transform_figure(const ReportData& data) {
       sigma[i] = std::sqrt(std::max(0.0, json["covariance"][7 * i].get<double>()));
     }
   }
-  std::string body =
-      "<table><tr><th>LiDAR map in the vision frame</th><th>coarse</th><th>registered</th>"
-      "<th>standard deviation</th><th>unit</th></tr>\n";
+  const bool has_pose = pose.ok || pose.initial.has_value();
+  std::string body = has_pose ? "<table><tr><th>LiDAR map in the vision frame</th><th>coarse</th>"
+                                "<th>registered</th><th>standard deviation</th><th>unit</th></tr>\n"
+                              : "";
   const auto row =
       [&](std::string_view name, auto value_of, const std::string& deviation, auto unit) {
+        if (!has_pose) return;
         body += fmt::format(
             "<tr><td>{}</td><td class=v>{}</td><td class=v>{}</td><td "
             "class=v>{}</td><td>{}</td></tr>\n",
@@ -57,7 +59,8 @@ Figure transform_figure(const ReportData& data) {
   }
   row("heading", heading_deg, fmt::format("{:.4f}", kDegPerRad * sigma[5]), "°");
   row("tilt", tilt_deg, fmt::format("{:.4f}", kDegPerRad * std::hypot(sigma[3], sigma[4])), "°");
-  body += "</table>\n<table><tr><th>verdict</th><th>value</th></tr>\n";
+  if (has_pose) body += "</table>\n";
+  body += "<table><tr><th>verdict</th><th>value</th></tr>\n";
   const auto fact = [&](std::string_view name, const std::string& value) {
     body += fmt::format("<tr><td>{}</td><td>{}</td></tr>\n", name, escaped(value));
   };

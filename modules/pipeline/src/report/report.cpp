@@ -22,7 +22,7 @@ const std::vector<Chapter>& chapters() {
   static const std::vector<Chapter> kChapters = {
       {"result", "Result", {fusion_figures, metric_figures, overlap_figures}},
       {"vision", "Photos", {photo_figures, camera_figures}},
-      {"lidar", "LiDAR and IMU", {lidar_figures}},
+      {"lidar", "LiDAR and IMU", {lidar_figures, profile_figures}},
       {"registration", "Registration", {registration_figures, section_figures, patch_figures}}};
   return kChapters;
 }
@@ -79,6 +79,20 @@ std::string verdict_html(const ReportData& data) {
                     escaped(light.limits));
   }
   return html + "</table>\n";
+}
+
+/// Which stages made this report, and which are still to come.
+std::string stages_html(const RunRecord& record) {
+  std::string ran;
+  std::string missing;
+  for (const std::string_view stage : kStages) {
+    std::string& list = record.stages.contains(std::string(stage)) ? ran : missing;
+    if (!list.empty()) list += ", ";
+    list += stage;
+  }
+  std::string html = fmt::format("<p class=sub>Ran: {}.", ran.empty() ? "nothing" : ran);
+  if (!missing.empty()) html += fmt::format(" Not run: {}.", missing);
+  return html + "</p>\n";
 }
 
 std::string cost_html(const RunRecord& record) {
@@ -142,8 +156,9 @@ std::string page_of(const ReportData& data, const Workspace& workspace, const Ru
   }
   if (!body.empty())
     contents += "<a href='#cost'>Time and memory</a> <a href='#numbers'>All numbers</a>";
-  return html_head("HybridFusion report: " + data.name) + verdict_html(data) + "<nav>" + contents +
-         "</nav>\n" + body + cost_html(data.record) + numbers_html(data.record) +
+  return html_head("HybridFusion report: " + data.name) + verdict_html(data) +
+         stages_html(data.record) + "<nav>" + contents + "</nav>\n" + body +
+         cost_html(data.record) + numbers_html(data.record) +
          fmt::format("<footer>hybridfusion {}</footer>\n</body></html>\n", program_version());
 }
 

@@ -71,6 +71,7 @@ struct Figure {
 [[nodiscard]] std::vector<Figure> lidar_figures(const ReportData& data);
 [[nodiscard]] std::vector<Figure> registration_figures(const ReportData& data);
 [[nodiscard]] std::vector<Figure> patch_figures(const ReportData& data);
+[[nodiscard]] std::vector<Figure> profile_figures(const ReportData& data);
 [[nodiscard]] std::vector<Figure> section_figures(const ReportData& data);
 [[nodiscard]] std::vector<Figure> fusion_figures(const ReportData& data);
 [[nodiscard]] std::vector<Figure> metric_figures(const ReportData& data);

@@ -77,7 +77,9 @@ std::vector<Cut> cuts_of(const Trajectory& trajectory, const Rigid3& shown_from_
   return cuts;
 }
 
-/// Half-metre cells above head height in which both clouds have a point: facades seen twice.
+/// Half-metre cells above head height in which both clouds have a point and not on either side of
+/// which they have, too: facades seen twice that are cut across. A facade cut along fills whole
+/// rows.
 std::size_t common_cells(const std::vector<Eigen::Vector2d>& a,
                          const std::vector<Eigen::Vector2d>& b) {
   constexpr double kCell_m = 0.5;
@@ -91,8 +93,14 @@ std::size_t common_cells(const std::vector<Eigen::Vector2d>& a,
     }
     bit <<= 1U;
   }
-  return static_cast<std::size_t>(
-      std::ranges::count_if(cells, [](const auto& cell) { return cell.second == 3U; }));
+  const auto is_common = [&cells](int column, int row) {
+    const auto found = cells.find({column, row});
+    return found != cells.end() && found->second == 3U;
+  };
+  return static_cast<std::size_t>(std::ranges::count_if(cells, [&](const auto& cell) {
+    const auto [column, row] = cell.first;
+    return cell.second == 3U && !(is_common(column - 1, row) && is_common(column + 1, row));
+  }));
 }
 
 std::string section_chart(const ReportData& data,
@@ -226,9 +234,14 @@ std::optional<Figure> profile_figure(const ReportData& data) {
 
 }  // namespace
 
+std::vector<Figure> profile_figures(const ReportData& data) {
+  auto profile = profile_figure(data);
+  if (!profile) return {};
+  return {*std::move(profile)};
+}
+
 std::vector<Figure> section_figures(const ReportData& data) {
   std::vector<Figure> figures;
-  if (auto profile = profile_figure(data)) figures.push_back(*std::move(profile));
   if (data.registered() && !data.vision.empty() && !data.lidar.empty() &&
       !data.trajectory.poses.empty()) {
     Figure sections = section_figure(data);

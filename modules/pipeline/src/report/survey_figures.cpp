@@ -83,16 +83,6 @@ bool is_inside(const Polygon& polygon, const Eigen::Vector2d& p) {
   return inside;
 }
 
-std::string cloud_from_above(const PointCloud& cloud, const Eigen::AlignedBox2d& box) {
-  constexpr int kWidth_px = 900;
-  if (cloud.empty()) return {};
-  Splatter splatter(view_from_above(box, kWidth_px));
-  for (std::size_t i = 0; i < cloud.size(); ++i) {
-    splatter.add(cloud.points[i], cloud.colors.empty() ? Rgb8{120, 120, 120} : cloud.colors[i], 1);
-  }
-  return data_uri(splatter.image({70, 76, 84})).value_or("");
-}
-
 Figure survey_map(const ReportData& data, const Survey& survey) {
   PlanMap map(survey.box);
   const std::string picture = cloud_from_above(data.vision, map.box());
@@ -114,10 +104,12 @@ Figure survey_map(const ReportData& data, const Survey& survey) {
           .body = map.svg(),
           .caption = fmt::format(
               "Dense cloud from above; yellow: the {} located photos; white: what each sees of the "
-              "ground; red rings: the {} photos without a place, where GNSS saw them. Height above "
-              "ground about {:.0f} m.",
+              "ground{}. Height above ground about {:.0f} m.",
               survey.cameras.size(),
-              lost,
+              lost == 0 ? ""
+                        : fmt::format("; red rings: the {} photos without a place, where GNSS saw "
+                                      "them",
+                                      lost),
               [&] {
                 std::vector<double> heights;
                 for (const PositionRow& row : data.positions) {

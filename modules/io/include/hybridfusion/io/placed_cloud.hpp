@@ -4,6 +4,7 @@
 #include <hybridfusion/core/geodetic.hpp>
 #include <hybridfusion/core/point_cloud.hpp>
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -33,10 +34,25 @@ struct Georeference {
   std::string crs = {};  ///< Target: "EPSG:n" or "EPSG:n+m"; empty: the UTM zone of the origin.
 };
 
-/// The cloud in the coordinates of the CRS, without its normals, whose axes are not those of the
-/// grid.
-/// @returns kInvalidOptions for a CRS that cannot be used, kDegenerate where it does not reach.
-[[nodiscard]] Expected<PlacedCloud> project_cloud(PointCloud cloud,
-                                                  const Georeference& georeference);
+/// Brings the clouds of one place into the coordinates of a CRS.
+class CloudProjector {
+ public:
+  /// @returns kInvalidOptions for a CRS that cannot be used, kDegenerate where it does not reach.
+  [[nodiscard]] static Expected<CloudProjector> create(const Georeference& georeference);
+  CloudProjector(CloudProjector&&) noexcept;
+  CloudProjector& operator=(CloudProjector&&) noexcept;
+  ~CloudProjector();
+
+  /// Without the normals, whose axes are not those of the grid. @returns kDegenerate for a point
+  /// that the CRS does not reach.
+  [[nodiscard]] Expected<PointCloud> operator()(PointCloud cloud) const;
+  [[nodiscard]] const Eigen::Vector3d& offset_m() const;  ///< Position in the CRS = point + offset.
+  [[nodiscard]] const CrsDescription& crs() const;
+
+ private:
+  struct State;
+  explicit CloudProjector(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
 
 }  // namespace hybridfusion

@@ -61,12 +61,13 @@ struct PlyTable {
                                        const PointCloud& cloud,
                                        const PlyWriteOptions& options = {});
 
-/// A binary PLY cloud that comes in pieces: like write_ply of their concatenation, without holding
+/// A PLY cloud that comes in pieces: like write_ply of their concatenation, without holding
 /// it. The file appears when commit() is called.
 class PlyPieceWriter {
  public:
   /// @returns kIo.
-  [[nodiscard]] static Expected<PlyPieceWriter> create(const std::filesystem::path& path);
+  [[nodiscard]] static Expected<PlyPieceWriter> create(
+      const std::filesystem::path& path, PlyFormat format = PlyFormat::kBinaryLittleEndian);
   /// @pre validate(piece); every piece has the channels of the first.
   void add(const PointCloud& piece);
   [[nodiscard]] std::size_t size() const { return num_points_; }
@@ -74,9 +75,10 @@ class PlyPieceWriter {
   [[nodiscard]] Expected<void> commit();
 
  private:
-  explicit PlyPieceWriter(AtomicFile file) : file_(std::move(file)) {}
+  PlyPieceWriter(AtomicFile file, PlyFormat format) : file_(std::move(file)), format_(format) {}
 
   AtomicFile file_;
+  PlyFormat format_;
   std::size_t num_points_ = 0;
   PointCloud channels_ = {};  // one point with the channels of all
 };

@@ -4,6 +4,7 @@
 #include <hybridfusion/io/placed_cloud.hpp>
 
 #include <filesystem>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -26,8 +27,35 @@ struct SurfaceRasterOptions {
   int fill_cells = 3;    ///< Gaps this deep are closed by the mean of the neighbours; 0: none.
 };
 
-/// @returns kInsufficient for an empty cloud, kInvalidOptions when the cells would be more than 100
-/// million.
+/// The ground that a cloud covers. Cloud by cloud, all with the same offset.
+struct SurfaceExtent {
+  Eigen::Array2d low = Eigen::Array2d::Constant(std::numeric_limits<double>::infinity());
+  Eigen::Array2d high = -low;
+
+  void add(const PointCloud& cloud, const Eigen::Vector3d& offset_m);
+};
+
+/// Draws clouds that lie within an extent, one after the other.
+class SurfaceRasterBuilder {
+ public:
+  /// @returns kInsufficient for an extent without points, kInvalidOptions when the cells would be
+  /// more than 100 million.
+  [[nodiscard]] static Expected<SurfaceRasterBuilder> create(const SurfaceExtent& extent,
+                                                             const SurfaceRasterOptions& options);
+  /// @pre the extent holds the points; all clouds or none have colours.
+  void add(const PointCloud& cloud, const Eigen::Vector3d& offset_m);
+  [[nodiscard]] SurfaceRaster finish(std::string wkt) &&;
+
+ private:
+  explicit SurfaceRasterBuilder(const SurfaceRasterOptions& options) : options_(options) {}
+
+  SurfaceRasterOptions options_;
+  Eigen::Array2d first_ = Eigen::Array2d::Zero();  ///< Of the cells, counted from 0 of the CRS.
+  Eigen::Array2d last_ = Eigen::Array2d::Zero();
+  SurfaceRaster raster_ = {};
+};
+
+/// One cloud drawn. @returns as SurfaceRasterBuilder::create.
 [[nodiscard]] Expected<SurfaceRaster> make_surface_raster(const PlacedCloud& placed,
                                                           const SurfaceRasterOptions& options = {});
 

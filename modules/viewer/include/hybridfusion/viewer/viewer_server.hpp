@@ -22,6 +22,7 @@ struct ServedFile {
   /// A file, or bytes that outlive the server.
   std::variant<std::filesystem::path, std::string_view> content = {};
   ContentPolicy policy = ContentPolicy::kPage;
+  std::filesystem::path root = {};  ///< Where a file must lie; empty: the root of the server.
 };
 
 /// Hands a fixed list of files to a browser on this machine. It listens on 127.0.0.1 only, answers
@@ -30,10 +31,11 @@ struct ServedFile {
 /// their paths later, nothing else is read.
 class ViewerServer {
  public:
-  /// @param root  Every file must lie in this folder after symbolic links are followed.
+  /// @param root  Every file without a root of its own must lie in this folder after symbolic
+  ///              links are followed.
   /// @param port  0 takes a free one.
-  /// @returns kNotFound for a file that is missing, not regular or outside of `root`; kIo when the
-  /// port is taken.
+  /// @returns kNotFound for a file that is missing, not regular or outside of its root; kIo when
+  /// the port is taken.
   [[nodiscard]] static Expected<ViewerServer> open(const std::filesystem::path& root,
                                                    const std::vector<ServedFile>& files,
                                                    int port);
