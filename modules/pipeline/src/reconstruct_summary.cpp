@@ -116,14 +116,17 @@ StageResult reconstruct_summary(const Reconstruction& reconstruction,
       fmt::format("reprojection {:.2f} px, focal length {:+.2f} % against its first value",
                   quality.mean_reprojection_px,
                   100.0 * focal_change),
-      fmt::format("GNSS residuals {:.2f} m horizontal, {:.2f} m vertical (rms)",
-                  quality.gnss_horizontal_rms_m,
-                  quality.gnss_vertical_rms_m),
-      fmt::format("georeference {}: scale +-{:.2f} %, tilt +-{:.2f} deg",
-                  word_of(quality.georeference),
-                  100.0 * quality.scale_sigma,
-                  quality.tilt_sigma_rad * 180.0 / std::numbers::pi),
       fmt::format("{} scene points, {} dense points", reconstruction.points.size(), dense.size())};
+  if (reconstruction.georeferenced) {
+    result.summary.push_back(
+        fmt::format("GNSS residuals {:.2f} m horizontal, {:.2f} m vertical (rms)",
+                    quality.gnss_horizontal_rms_m,
+                    quality.gnss_vertical_rms_m));
+    result.summary.push_back(fmt::format("georeference {}: scale +-{:.2f} %, tilt +-{:.2f} deg",
+                                         word_of(quality.georeference),
+                                         100.0 * quality.scale_sigma,
+                                         quality.tilt_sigma_rad * 180.0 / std::numbers::pi));
+  }
   if (!reconstruction.georeferenced) {
     result.summary.push_back(reconstruction.quality.georeference_reasons.front());
   } else if (const auto rms_m = held_out_rms_m(reconstruction.control)) {
