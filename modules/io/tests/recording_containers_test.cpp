@@ -1,116 +1,19 @@
-#include "container_builders.hpp"
-#include "mutations.hpp"
-#include "test_files.hpp"
-
-#include <hybridfusion/io/scan_source.hpp>
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
+#include "recorded_content.hpp"
 
 namespace hybridfusion {
 namespace {
 
 using ::testing::AllOf;
+using testing::Content;
+using testing::expect_same;
 using ::testing::HasSubstr;
+using testing::kStart_ns;
 using testing::McapBuilder;
+using testing::read_all;
+using testing::reference;
+using testing::street;
 using testing::TempFolder;
 using testing::TestRecording;
-
-constexpr std::int64_t kStart_ns = 1'700'000'000'000'000'000;
-
-/// 10 scans, 100 IMU samples, 5 fixes in one second.
-TestRecording street() {
-  TestRecording recording;
-  for (int i = 0; i < 100; ++i) {
-    const std::int64_t t = kStart_ns + i * 10'000'000LL;
-    const double gyro_x = 0.01 * i;
-    recording.messages.push_back(
-        {1, t, testing::imu_message(t, gyro_x, 9.81), testing::imu_cdr(t, gyro_x, 9.81)});
-    if (i % 10 == 0) {
-      std::vector<std::vector<double>> points;
-      for (int k = 0; k < 50; ++k) points.push_back({1.0 + k + i, 2.0, 3.0, k * 0.002});
-      recording.messages.push_back(
-          {0,
-           t,
-           testing::cloud_message(t, {{"x", 7}, {"y", 7}, {"z", 7}, {"time", 7}}, points),
-           testing::cloud_cdr(t, points)});
-    }
-    if (i % 20 == 0) {
-      recording.messages.push_back({2,
-                                    t,
-                                    testing::fix_message(t, 48.0 + 1e-6 * i, 0, 2.25),
-                                    testing::fix_cdr(t, 48.0 + 1e-6 * i, 2.25)});
-    }
-  }
-  return recording;
-}
-
-/// Everything a recording delivers, as text that is equal exactly when the values are.
-struct Content {
-  std::string scans = {};
-  std::string imu = {};
-  std::string fixes = {};
-  RecordingSummary summary = {};
-};
-
-void append(Content& content, const SensorMessage& message) {
-  if (const auto* scan = std::get_if<LidarScan>(&message)) {
-    content.scans += fmt::format("scan {}\n", scan->stamp.count());
-    for (const LidarPoint& point : scan->points) {
-      content.scans += fmt::format("{} {} {} {}\n",
-                                   point.point_in_lidar.x(),
-                                   point.point_in_lidar.y(),
-                                   point.point_in_lidar.z(),
-                                   point.offset_ns);
-    }
-  } else if (const auto* sample = std::get_if<ImuSample>(&message)) {
-    content.imu += fmt::format("{} {} {}\n",
-                               sample->time.count(),
-                               sample->angular_velocity_radps.x(),
-                               sample->specific_force_mps2.z());
-  } else if (const auto* fix = std::get_if<GnssFix>(&message)) {
-    content.fixes += fmt::format("{} {} {} {} {}\n",
-                                 fix->time.count(),
-                                 fix->position.latitude_deg,
-                                 fix->position.longitude_deg,
-                                 fix->position.altitude_m,
-                                 fix->sigma_enu_m.z());
-  }
-}
-
-Content read_all(const std::filesystem::path& path, const RecordingOptions& options = {}) {
-  Content content;
-  auto source = open_recording(path, options);
-  EXPECT_TRUE(source) << source.error().message;
-  if (!source) return content;
-  for (;;) {
-    auto message = (*source)->next();
-    EXPECT_TRUE(message) << message.error().message;
-    if (!message || !*message) break;
-    append(content, **message);
-  }
-  content.summary = (*source)->summary();
-  return content;
-}
-
-Content reference(const TempFolder& folder) {
-  const Content content = read_all(folder.file("reference.bag", testing::rosbag1_of(street())));
-  EXPECT_EQ(content.summary.num_scans, 10U);
-  EXPECT_EQ(content.summary.num_imu_samples, 100U);
-  EXPECT_EQ(content.summary.num_gnss_fixes, 5U);
-  return content;
-}
-
-void expect_same(const Content& expected, const std::filesystem::path& path) {
-  SCOPED_TRACE(path.string());
-  const Content content = read_all(path);
-  EXPECT_EQ(content.scans, expected.scans);
-  EXPECT_EQ(content.imu, expected.imu);
-  EXPECT_EQ(content.fixes, expected.fixes);
-  EXPECT_EQ(content.summary.num_damaged_messages, 0U);
-  EXPECT_FALSE(content.summary.truncated);
-  EXPECT_EQ(content.summary.lidar_topic, "/points");
-}
 
 TEST(RecordingContainers, CompressedBagGivesTheSameAndLeavesNoFile) {
   const TempFolder folder;
@@ -288,108 +191,6 @@ TEST(RecordingContainers, FolderNamesWhatIsMissingOrDamaged) {
   EXPECT_EQ(content.summary.num_scans, 1U);
   EXPECT_EQ(content.summary.num_imu_samples, 1U);
   EXPECT_EQ(content.summary.num_damaged_messages, 2U);
-}
-
-TEST(RecordingContainers, CutFilesGiveTheirStartAndSaySo) {
-  const TempFolder folder;
-  const Content expected = reference(folder);
-  const auto check = [&](const std::filesystem::path& path) {
-    SCOPED_TRACE(path.string());
-    const Content content = read_all(path);
-    EXPECT_GT(content.summary.num_imu_samples, 20U);
-    EXPECT_LT(content.summary.num_imu_samples, 100U);
-    EXPECT_TRUE(content.summary.truncated);
-    EXPECT_TRUE(expected.imu.starts_with(content.imu));
-  };
-  const std::string mcap = McapBuilder::build(street(), {.compression = "zstd"});
-  check(folder.file("cut.mcap", mcap.substr(0, mcap.size() * 6 / 10)));
-  const std::string flat = McapBuilder::build(street(), {.chunked = false});
-  check(folder.file("flat.mcap", flat.substr(0, flat.size() / 2)));
-  const std::string open = McapBuilder::build(street(), {.chunked = true, .finished = false});
-  EXPECT_TRUE(read_all(folder.file("open.mcap", open)).summary.truncated);
-  // Several frames, of which the first ones are whole.
-  const std::string bag = testing::rosbag1_of(street());
-  std::string packed;
-  for (std::size_t i = 0; i < 10; ++i) {
-    const std::size_t begin = i * bag.size() / 10;
-    packed += testing::zstd_packed(bag.substr(begin, (i + 1) * bag.size() / 10 - begin));
-  }
-  check(folder.file("cut.bag.zst", packed.substr(0, packed.size() * 8 / 10)));
-}
-
-TEST(RecordingContainers, DamagedFilesEndInMessagesOrAnErrorNeverInACrash) {
-  const TempFolder folder;
-  const TestRecording recording = street();
-  testing::write_db3(folder.path() / "good.db3", recording, 0, recording.messages.size());
-  const std::vector<std::string> goods = {McapBuilder::build(recording, {.compression = "lz4"}),
-                                          McapBuilder::build(recording, {.chunked = false}),
-                                          testing::content_of(folder.path() / "good.db3"),
-                                          testing::zstd_packed(testing::rosbag1_of(recording))};
-  std::size_t opened = 0;
-  for (std::size_t g = 0; g < goods.size(); ++g) {
-    for (std::uint64_t i = 0; i < 60; ++i) {
-      const std::string bytes = testing::mutated(goods[g], 1000 * g + i);
-      const auto path = folder.file("damaged", bytes.empty() ? "x" : bytes);
-      auto source = open_recording(path);
-      if (!source) {
-        EXPECT_FALSE(source.error().message.empty());
-        continue;
-      }
-      ++opened;
-      for (auto message = (*source)->next(); message && *message;) message = (*source)->next();
-    }
-  }
-  EXPECT_GT(opened, 60U);
-}
-
-TEST(RecordingContainers, HostileFilesAreRefused) {
-  const TempFolder folder;
-  const auto refusal = [&](const std::filesystem::path& path) {
-    const auto source = open_recording(path);
-    EXPECT_FALSE(source);
-    return source ? std::string() : source.error().message;
-  };
-  // A view could run a query of the file's own that never ends.
-  sqlite3* db = nullptr;
-  sqlite3_open((folder.path() / "view.db3").c_str(), &db);
-  sqlite3_exec(db,
-               "CREATE TABLE topics(id, name, type, serialization_format);"
-               "CREATE VIEW messages AS WITH RECURSIVE n(id) AS (SELECT 1 UNION ALL SELECT id + 1 "
-               "FROM n) SELECT id, 1 AS topic_id, 1 AS timestamp, 'x' AS data FROM n",
-               nullptr,
-               nullptr,
-               nullptr);
-  sqlite3_close(db);
-  EXPECT_THAT(refusal(folder.path() / "view.db3"), HasSubstr("not a sound ROS 2 bag"));
-  // 64 MiB of zeros in a few kilobytes, repeated: unpacking stops long before the disk is full.
-  const std::string bomb = testing::zstd_packed(std::string(std::size_t{64} << 20, '\0'));
-  std::string bombs;
-  for (int i = 0; i < 40; ++i) bombs += bomb;
-  EXPECT_THAT(refusal(folder.file("bomb.bag.zst", bombs)), HasSubstr("times its size"));
-  std::filesystem::create_directory(folder.path() / "bag");
-  static_cast<void>(folder.file("bag/metadata.yaml",
-                                "rosbag2_bagfile_information:\n  relative_file_paths: [..]\n"));
-  EXPECT_THAT(refusal(folder.path() / "bag"), HasSubstr("is no file"));
-  static_cast<void>(folder.file("bag/metadata.yaml", "rosbag2_bagfile_information: [\n"));
-  EXPECT_THAT(refusal(folder.path() / "bag"), HasSubstr("line"));
-  EXPECT_THAT(refusal(folder.file("x.bag", "hello")), HasSubstr("nor a ROS 2 bag"));
-  const auto unwritable = open_recording(folder.file("a.bag.zst", testing::zstd_packed("x")),
-                                         {.scratch_folder = "/nowhere"});
-  ASSERT_FALSE(unwritable);
-  EXPECT_EQ(unwritable.error().code, ErrorCode::kIo);
-  EXPECT_THAT(unwritable.error().message, HasSubstr("recording.scratch_folder"));
-}
-
-TEST(RecordingContainers, UnpackingStopsWhenAsked) {
-  const TempFolder folder;
-  std::stop_source stop;
-  stop.request_stop();
-  const auto source =
-      open_recording(folder.file("a.bag.zst", testing::zstd_packed(testing::rosbag1_of(street()))),
-                     {},
-                     {.stop = stop.get_token()});
-  ASSERT_FALSE(source);
-  EXPECT_EQ(source.error().code, ErrorCode::kCancelled);
 }
 
 TEST(RecordingContainers, Rosbag2FixturesGiveTheirTopicsAndCounts) {
