@@ -29,6 +29,7 @@ struct ClusterBuckets {
   };
   SpillFile spill;
   std::vector<Eigen::Matrix3d> held = {};  // per segment, see held_directions
+  RangeNoise noise = {};
   std::vector<Bucket> buckets = std::vector<Bucket>(kNumBuckets);
 
   Expected<void> add(const std::vector<PlaneCluster>& clusters) {
@@ -81,8 +82,9 @@ Expected<ClusterBuckets> cluster_all(const ScanStore& store,
     });
     for (std::size_t i = 0; i < count; ++i) {
       if (!parts[i]) return std::unexpected(parts[i].error());
-      const Segment& segment = segments[first + i];
-      out.held.push_back(held_directions(*parts[i], store.scans()[segment.anchor].map_from_imu));
+      const StoredScan& anchor = store.scans()[segments[first + i].anchor];
+      out.held.push_back(held_directions(*parts[i], anchor.map_from_imu));
+      out.noise.add(*parts[i], anchor.lidar_in_imu.cast<double>());
       if (auto added = out.add(*parts[i]); !added) return std::unexpected(added.error());
     }
   }
@@ -113,15 +115,21 @@ void weigh_links(const std::vector<Eigen::Matrix3d>& held,
   }
 }
 
-/// One pass of the adjustment. @returns kDegenerate, kCancelled, kIo.
+/// One pass of the adjustment. @param lenient  Without the limit of the noise, by which cells that
+/// visits some centimetres apart share look rough. @returns kDegenerate, kCancelled, kIo.
 Expected<PlaneAdjustmentReport> adjust_once(const LidarRefineOptions& options,
+                                            bool lenient,
                                             const RunContext& ctx,
                                             const std::vector<Segment>& segments,
                                             std::vector<RelativePose>& links,
                                             ScanStore& store) {
   HF_TRY(ClusterBuckets clusters, cluster_all(store, segments, options.voxel_m, ctx));
   const std::vector<Rigid3> poses = anchor_poses(segments, store.scans());
-  PlaneAdjustment adjustment(options.max_plane_sigma_m, poses, clusters.held);
+  double max_sigma_m = options.max_plane_sigma_m;
+  if (const auto noise_m = clusters.noise.sigma_m(); noise_m && !lenient) {
+    max_sigma_m = std::min(max_sigma_m, options.max_plane_noise_ratio * *noise_m);
+  }
+  PlaneAdjustment adjustment(max_sigma_m, poses, clusters.held);
   for (std::size_t bucket = 0; bucket < kNumBuckets; ++bucket) {
     HF_TRY(const std::vector<PlaneCluster> members, clusters.sorted(bucket));
     adjustment.add(members);
@@ -147,16 +155,19 @@ Expected<RefinementReport> refine_poses(const LidarRefineOptions& options,
   report.num_segments = segments.size();
   if (segments.size() < 2) return report;
   std::vector<RelativePose> links = odometry_links(anchor_poses(segments, scans));
+  bool lenient = options.iterations > 1;
   for (int pass = 0; pass < options.iterations; ++pass) {
     if (ctx.stopped()) return fail(ErrorCode::kCancelled, "stopped by the caller");
     ctx.report({.stage = "lidar/refine", .done = pass, .total = options.iterations});
-    auto adjusted = adjust_once(options, ctx, segments, links, store);
+    auto adjusted = adjust_once(options, lenient, ctx, segments, links, store);
     if (!adjusted) return std::unexpected(std::move(adjusted).error().with_context("refining"));
     if (pass == 0) report.rms_before_m = adjusted->rms_before_m;
     report.rms_after_m = adjusted->rms_before_m;
     report.num_planes = adjusted->num_planes;
     report.iterations = pass + 1;
-    if (adjusted->max_shift_m < kConverged_m) break;
+    const bool converged = adjusted->max_shift_m < kConverged_m;
+    if (converged && !lenient) break;
+    lenient = lenient && !converged && pass + 1 < options.iterations / 2;
   }
   return report;
 }

@@ -16,7 +16,9 @@ struct RefinementReport {
   double rms_after_m = 0.0;   ///< Last pass.
 };
 
-/// Improves all scan poses in `store` together (see adjust_planes). @returns kCancelled.
+/// Improves all scan poses in `store` together (see PlaneAdjustment): half of the passes without
+/// the limit by the range noise, to bring visits together that are some centimetres apart, then
+/// with it. @returns kCancelled, kDegenerate, kIo.
 [[nodiscard]] Expected<RefinementReport> refine_poses(const LidarRefineOptions& options,
                                                       const RunContext& ctx,
                                                       ScanStore& store);

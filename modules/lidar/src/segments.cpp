@@ -118,7 +118,16 @@ bool is_bridged(const std::vector<StoredScan>& scans, std::size_t first, std::si
       });
 }
 
-std::optional<Eigen::Vector3d> normal_of(const PlaneCluster& cluster) {
+namespace {
+
+struct Face {
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();  // unit
+  double sigma_m = 0.0;                              // of the points about it
+  /// Of the normal, by which noise of the points turns it.
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+};
+
+std::optional<Face> face_of(const PlaneCluster& cluster) {
   if (cluster.count < kMinPlanePoints) return std::nullopt;
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver;
   solver.computeDirect(cluster.covariance);
@@ -127,7 +136,48 @@ std::optional<Eigen::Vector3d> normal_of(const PlaneCluster& cluster) {
       !(spread[1] >= kMinFlatness * spread[0])) {
     return std::nullopt;
   }
-  return solver.eigenvectors().col(0).cast<double>();
+  Face face{.normal = solver.eigenvectors().col(0).cast<double>(),
+            .sigma_m = std::sqrt(std::max(0.0, static_cast<double>(spread[0])))};
+  for (int i = 1; i < 3; ++i) {
+    const Eigen::Vector3d axis = solver.eigenvectors().col(i).cast<double>();
+    const double lever2 = static_cast<double>(cluster.count) * static_cast<double>(spread[i]);
+    face.covariance += face.sigma_m * face.sigma_m / lever2 * axis * axis.transpose();
+  }
+  return face;
+}
+
+}  // namespace
+
+std::optional<Eigen::Vector3d> normal_of(const PlaneCluster& cluster) {
+  const auto face = face_of(cluster);
+  return face ? std::optional(face->normal) : std::nullopt;
+}
+
+void RangeNoise::add(std::span<const PlaneCluster> clusters,
+                     const Eigen::Vector3d& lidar_in_segment) {
+  // Few points fit their plane too well; a flat view shows the roughness along the ray instead.
+  constexpr float kMinPoints = 15.0F;
+  constexpr double kMinCosine = 0.5;
+  for (const PlaneCluster& cluster : clusters) {
+    if (cluster.count < kMinPoints) continue;
+    const auto face = face_of(cluster);
+    if (!face) continue;
+    const Eigen::Vector3d ray = (cluster.mean.cast<double>() - lidar_in_segment).normalized();
+    const double cosine = std::abs(face->normal.dot(ray));
+    if (!(cosine >= kMinCosine)) continue;
+    const double bin = face->sigma_m / cosine / kBin_m;
+    ++counts_[std::min(static_cast<std::size_t>(bin), counts_.size() - 1)];
+    ++total_;
+  }
+}
+
+std::optional<double> RangeNoise::sigma_m() const {
+  constexpr std::size_t kMinFaces = 200;
+  if (total_ < kMinFaces) return std::nullopt;
+  std::size_t below = 0;
+  std::size_t bin = 0;
+  while (2 * (below + counts_[bin]) < total_) below += counts_[bin++];
+  return kBin_m * (static_cast<double>(bin) + 0.5);
 }
 
 Eigen::Matrix3d held_directions(std::span<const PlaneCluster> clusters,
@@ -135,11 +185,14 @@ Eigen::Matrix3d held_directions(std::span<const PlaneCluster> clusters,
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
   double sum_weights = 0.0;
   for (const PlaneCluster& cluster : clusters) {
-    const auto normal = normal_of(cluster);
-    if (!normal) continue;
+    const auto face = face_of(cluster);
+    if (!face) continue;
     const double weight = std::min(cluster.count, kMaxClusterWeight);
-    const Eigen::Vector3d in_map = map_from_segment.rotation * *normal;
-    sum += weight * in_map * in_map.transpose();
+    const Eigen::Matrix3d map_axes = map_from_segment.rotation.toRotationMatrix();
+    // Without what the noise of the normals adds on average, or a bare tunnel would seem to be
+    // held.
+    sum += weight * map_axes * (face->normal * face->normal.transpose() - face->covariance) *
+           map_axes.transpose();
     sum_weights += weight;
   }
   Eigen::Matrix3d held = Eigen::Matrix3d::Identity();

@@ -3,6 +3,7 @@
 #include "plane_adjustment.hpp"
 #include "scan_store.hpp"
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -49,6 +50,21 @@ struct Segment {
 
 /// The normal of a cluster in its segment's frame; nothing when its points do not lie on a plane.
 [[nodiscard]] std::optional<Eigen::Vector3d> normal_of(const PlaneCluster& cluster);
+
+/// Range noise of the sensor from how faces scatter within one segment, each divided by the cosine
+/// under which it is seen: their median.
+class RangeNoise {
+ public:
+  /// @param lidar_in_segment  Where the segment's points were seen from, about [m].
+  void add(std::span<const PlaneCluster> clusters, const Eigen::Vector3d& lidar_in_segment);
+  /// [m]; nothing from too few faces.
+  [[nodiscard]] std::optional<double> sigma_m() const;
+
+ private:
+  static constexpr double kBin_m = 5e-4;
+  std::array<std::size_t, 256> counts_ = {};
+  std::size_t total_ = 0;
+};
 
 /// Carries the moves of the segments over to all scans: between two anchors the correction is
 /// interpolated in time, so that the trajectory stays smooth.

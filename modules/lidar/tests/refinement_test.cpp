@@ -3,6 +3,7 @@
 #include "plane_adjustment.hpp"
 #include "rigid3_matchers.hpp"
 #include "scan_store.hpp"
+#include "segments.hpp"
 
 #include <hybridfusion/core/random.hpp>
 
@@ -100,6 +101,53 @@ TEST(AdjustPlanes, FollowsTheLinksWhereThereIsNoPlane) {
   ASSERT_TRUE(adjustment.solve(links));
   EXPECT_THAT(adjustment.map_from_segment()[2],
               Rigid3Near(Rigid3{.translation = {2, 0, 0}}, 1e-9, 1e-9));
+}
+
+/// Faces in front of the sensor, turned away from it by up to 50 degrees, measured along the ray;
+/// every third one is `roughness_m` rough besides.
+std::vector<PlaneCluster> noisy_faces(double range_sigma_m, double roughness_m) {
+  std::vector<PlaneCluster> clusters;
+  Random random(3, "test/faces");
+  for (std::uint64_t cell = 0; cell < 400; ++cell) {
+    const double turn_rad = random.uniform(-0.87, 0.87);
+    const Eigen::Vector3d normal(std::cos(turn_rad), std::sin(turn_rad), 0.0);
+    const Eigen::Vector3d along(-normal.y(), normal.x(), 0.0);
+    std::vector<Eigen::Vector3d> points;
+    for (int i = 0; i < 40; ++i) {
+      const Eigen::Vector3d on_face = Eigen::Vector3d(10.0, 0.0, 0.0) +
+                                      random.uniform(-0.25, 0.25) * along +
+                                      random.uniform(-0.25, 0.25) * Eigen::Vector3d::UnitZ();
+      const double rough_m = cell % 3 == 0 ? roughness_m * random.normal() : 0.0;
+      points.emplace_back(on_face + range_sigma_m * random.normal() * on_face.normalized() +
+                          rough_m * normal);
+    }
+    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+    for (const auto& p : points) mean += p / 40.0;
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+    for (const auto& p : points) covariance += (p - mean) * (p - mean).transpose() / 40.0;
+    clusters.push_back({.cell = cell,
+                        .count = 40,
+                        .mean = mean.cast<float>(),
+                        .covariance = covariance.cast<float>()});
+  }
+  return clusters;
+}
+
+TEST(RangeNoise, IsFoundFromTheScatterOfFaces) {
+  for (const double sigma_m : {0.008, 0.02, 0.03}) {
+    RangeNoise noise;
+    noise.add(noisy_faces(sigma_m, 0.02), Eigen::Vector3d::Zero());
+    ASSERT_TRUE(noise.sigma_m());
+    // A third of the faces is rough, and 40 points fit their own plane 4 % too well.
+    EXPECT_NEAR(*noise.sigma_m(), sigma_m, 0.12 * sigma_m + 5e-4);
+  }
+}
+
+TEST(RangeNoise, SaysNothingOfAFewFaces) {
+  RangeNoise noise;
+  const auto faces = noisy_faces(0.02, 0.0);
+  noise.add(std::span(faces).first(100), Eigen::Vector3d::Zero());
+  EXPECT_FALSE(noise.sigma_m());
 }
 
 std::vector<StoredScan> tilted_drive(const Eigen::Quaterniond& map_from_level) {

@@ -291,8 +291,9 @@ struct LidarRefineOptions {
   bool enabled = true;
   int iterations = 4;
   double segment_s = 0.5;
-  double voxel_m = 1.0;
+  double voxel_m = 0.5;
   double max_plane_sigma_m = 0.05;
+  double max_plane_noise_ratio = 1.5;
 };
 template <>
 struct OptionFields<LidarRefineOptions> {
@@ -329,6 +330,15 @@ struct OptionFields<LidarRefineOptions> {
              .min = 0.005,
              .max = 1.0,
              .doc = "Cells whose points scatter more about their plane are not used.",
+             .source = "ours"}},
+      Field{&T::max_plane_noise_ratio,
+            {.key = "max_plane_noise_ratio",
+             .unit = "1",
+             .min = 1.0,
+             .max = 100.0,
+             .doc = "Nor are those that scatter more than this times the range noise of the "
+                    "sensor, which is found from the scans: they hold edges, leaves or a rough "
+                    "surface, of which each visit samples another part.",
              .source = "ours"}},
   };
 };
