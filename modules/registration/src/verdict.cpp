@@ -77,7 +77,7 @@ std::vector<Factor> weigh(const Evidence& e, const VerdictOptions& o) {
                    o.max_free_violations)},
       {e.patches_tried < kMinVoters || o.min_patch_share == 0.0
            ? 1.0
-           : ramp(e.patch_share, o.min_patch_share, o.min_patch_share + 0.25),
+           : ramp(e.patch_share, o.min_patch_share, 2.0 * o.min_patch_share),
        fmt::format("registered alone, only {:.2f} of {} patches stay at the pose (limit {:.2f})",
                    e.patch_share,
                    e.patches_tried,

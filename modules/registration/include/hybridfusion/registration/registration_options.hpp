@@ -276,7 +276,7 @@ struct VerdictOptions {
   double max_free_violations = 0.12;
   double max_facade_on_ground = 0.25;
   double max_sigma_m = 0.5;
-  double min_patch_share = 0.0;
+  double min_patch_share = 0.05;
 };
 
 template <>
@@ -366,9 +366,9 @@ struct OptionFields<VerdictOptions> {
             {.key = "min_patch_share",
              .unit = "1",
              .min = 0.0,
-             .max = 0.75,
+             .max = 0.5,
              .doc = "Share of the LiDAR patches that must stay at the pose when registered alone; "
-                    "full confidence 0.25 above. 0: their votes are reported and have no say.",
+                    "full confidence from twice that. 0: their votes have no say.",
              .source = "ours, after HybridFusion III-C.5"}},
   };
 };
