@@ -174,8 +174,9 @@ class RecordingFaults : public StreetTest {
       SCOPED_TRACE(fault.name);
       const ProgramResult result = map(broken(fault.break_it), "ws");
       ASSERT_EQ(result.exit_code, 0) << result.err;
-      // A millimetre besides: the clean run has only two, and so has its noise from run to run.
-      EXPECT_LT(error_m("ws"), 1.5 * clean_m + 0.001);
+      // A tenth of the range noise besides: the clean run errs by less than that.
+      constexpr double kFloor_m = 0.002;
+      EXPECT_LT(error_m("ws"), 1.5 * clean_m + kFloor_m);
       const std::set<std::string> flags = quality_flags(path("ws"));
       if (fault.flag.empty()) {
         EXPECT_TRUE(flags.empty()) << *flags.begin();

@@ -122,10 +122,11 @@ StageResult reconstruct_summary(const Reconstruction& reconstruction,
         fmt::format("GNSS residuals {:.2f} m horizontal, {:.2f} m vertical (rms)",
                     quality.gnss_horizontal_rms_m,
                     quality.gnss_vertical_rms_m));
-    result.summary.push_back(fmt::format("georeference {}: scale +-{:.2f} %, tilt +-{:.2f} deg",
-                                         word_of(quality.georeference),
-                                         100.0 * quality.scale_sigma,
-                                         quality.tilt_sigma_rad * 180.0 / std::numbers::pi));
+    result.summary.push_back(
+        fmt::format("scale and tilt by GNSS alone {}: +-{:.2f} %, +-{:.2f} deg",
+                    word_of(quality.georeference),
+                    100.0 * quality.scale_sigma,
+                    quality.tilt_sigma_rad * 180.0 / std::numbers::pi));
   }
   if (!reconstruction.georeferenced) {
     result.summary.push_back(reconstruction.quality.georeference_reasons.front());

@@ -58,7 +58,7 @@ void add_georeference_light(const ReportData& data, std::vector<Light>& lights) 
   const Json georeference = data.reconstruct.value("georeference", Json::object());
   const std::string verdict = georeference.value("verdict", "");
   if (verdict.empty()) return;
-  lights.push_back({"scale and tilt of the photo model",
+  lights.push_back({"scale and tilt by GNSS alone",
                     verdict == "good"      ? "green"
                     : verdict == "limited" ? "amber"
                                            : "red",
