@@ -17,8 +17,9 @@ constexpr double kLinkSigma_rad = 3e-3;
 constexpr double kBlindLinkSigma_m = 0.3;
 constexpr std::size_t kSegmentsAtOnce = 32;
 constexpr std::size_t kNumBuckets = 64;
-// The equations grow with the number of segments: half an hour at the default length.
-constexpr std::size_t kMaxSegments = 3600;
+// Where laps overlap every segment meets every other: memory grows with the square of their number,
+// time with its cube (1200: 1.1 GB and minutes, 500: 0.5 GB). Longer drives get longer segments.
+constexpr std::size_t kMaxSegments = 250;
 constexpr std::size_t kBlockClusters = 1024;
 
 /// Clusters by the hash of their cell, so that one bucket at a time holds all members of its cells.
