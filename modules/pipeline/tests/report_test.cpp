@@ -1,4 +1,5 @@
 #include "report/chart.hpp"
+#include "report/lights.hpp"
 #include "report/plan_map.hpp"
 #include "report/report_data.hpp"
 #include "report/splat.hpp"
@@ -138,6 +139,21 @@ TEST_F(Report, OfAnEmptyWorkspaceSaysThatNothingRan) {
   const std::string html = report();
   EXPECT_THAT(html, HasSubstr("no stage has run yet"));
   EXPECT_THAT(html, HasSubstr("Ran: nothing. Not run: reconstruct, map, register, evaluate."));
+}
+
+TEST(TrafficLights, APoorScaleByGnssAloneIsRedOnlyWithoutALidarCloud) {
+  ReportData data;
+  data.reconstruct = {{"georeference", {{"verdict", "unusable"}}}, {"scale_sigma", 2.0}};
+  const auto color = [&] {
+    for (const Light& light : traffic_lights(data)) {
+      if (light.what == "scale and tilt by GNSS alone") return light.color;
+    }
+    return decltype(Light::color){};
+  };
+  EXPECT_EQ(color(), "red");
+  data.pose.emplace();
+  data.pose->ok = true;
+  EXPECT_EQ(color(), "amber");
 }
 
 TEST(Ticks, AreRoundAndWithinTheEnds) {

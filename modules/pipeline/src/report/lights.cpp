@@ -53,15 +53,16 @@ void add_photo_lights(const ReportData& data, std::vector<Light>& lights) {
   }
 }
 
-/// Reprojection errors never show a wrong scale or tilt: the stage judged them by the positions.
+/// Reprojection errors never show a wrong scale or tilt: the stage judged them by the positions. No
+/// reason to stop where a LiDAR cloud was registered: the scale of the fused cloud is its scale.
 void add_georeference_light(const ReportData& data, std::vector<Light>& lights) {
   const Json georeference = data.reconstruct.value("georeference", Json::object());
   const std::string verdict = georeference.value("verdict", "");
   if (verdict.empty()) return;
   lights.push_back({"scale and tilt by GNSS alone",
-                    verdict == "good"      ? "green"
-                    : verdict == "limited" ? "amber"
-                                           : "red",
+                    verdict == "good"                           ? "green"
+                    : verdict == "limited" || data.registered() ? "amber"
+                                                                : "red",
                     fmt::format("{}: scale ± {:.2f} %, tilt ± {:.2f}°",
                                 verdict,
                                 100.0 * data.reconstruct.value("scale_sigma", 0.0),
