@@ -1,39 +1,13 @@
-#include <hybridfusion/core/options_yaml.hpp>
+#include "nested_options.hpp"
 
+#include <algorithm>
+#include <limits>
 #include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace hybridfusion {
-
-struct InnerOptions {
-  double ring_ratio = 0.2;
-  int min_points = 500;
-};
-template <>
-struct OptionFields<InnerOptions> {
-  using T = InnerOptions;
-  static constexpr auto fields = std::tuple{
-      Field{&T::ring_ratio, {.key = "ring_ratio", .unit = "1", .min = 0.0, .max = 1.0, .doc = "d"}},
-      Field{&T::min_points, {.key = "min_points", .unit = "points", .min = 1.0, .doc = "d"}},
-  };
-};
-
-struct OuterOptions {
-  InnerOptions inner = {};
-  std::string method = "sgm";
-  bool refine = true;
-};
-template <>
-struct OptionFields<OuterOptions> {
-  using T = OuterOptions;
-  static constexpr auto fields = std::tuple{
-      Field{&T::inner, {.key = "inner"}},
-      Field{&T::method, {.key = "method", .choices = "sgm|fast", .doc = "d"}},
-      Field{&T::refine, {.key = "refine", .doc = "d"}},
-  };
-};
 
 namespace {
 
@@ -42,21 +16,6 @@ using ::testing::HasSubstr;
 
 TEST(Options, DefaultsAreValid) {
   EXPECT_TRUE(validate(OuterOptions{}));
-}
-
-TEST(Options, YamlOverridesOnlyWhatItNames) {
-  OuterOptions options;
-  ASSERT_TRUE(read_yaml(YAML::Load("inner: {ring_ratio: 0.4}\nrefine: false"), options));
-  EXPECT_EQ(options.inner.ring_ratio, 0.4);
-  EXPECT_EQ(options.inner.min_points, 500);
-  EXPECT_FALSE(options.refine);
-}
-
-TEST(Options, MisspeltYamlKeyIsAnErrorWithItsLine) {
-  OuterOptions options;
-  const auto result = read_yaml(YAML::Load("method: fast\ninner:\n  ring_ration: 0.4\n"), options);
-  ASSERT_FALSE(result);
-  EXPECT_THAT(result.error().message, AllOf(HasSubstr("line 3"), HasSubstr("inner.ring_ration")));
 }
 
 TEST(Options, OutOfRangeAndUnknownChoiceNameTheFullKey) {
@@ -92,18 +51,6 @@ TEST(SetOption, RefusesUnknownKeysGroupsAndWrongTypes) {
   EXPECT_FALSE(set_option(options, "refine.deeper", "true"));
   EXPECT_FALSE(set_option(options, "inner.min_points", "3.5"));
   EXPECT_FALSE(set_option(options, "inner.ring_ratio", "nan"));
-}
-
-TEST(Options, WrittenYamlReadsBackEqual) {
-  OuterOptions options;
-  options.inner.ring_ratio = 0.1 + 0.2;
-  options.method = "fast";
-  YAML::Emitter out;
-  write_yaml(out, options);
-  OuterOptions back;
-  ASSERT_TRUE(read_yaml(YAML::Load(out.c_str()), back));
-  EXPECT_EQ(back.inner.ring_ratio, options.inner.ring_ratio);
-  EXPECT_EQ(back.method, "fast");
 }
 
 TEST(Options, ReferenceHasOneRowPerLeaf) {

@@ -5,8 +5,8 @@
 #include <hybridfusion/core/point_cloud.hpp>
 #include <hybridfusion/core/run_context.hpp>
 #include <hybridfusion/geometry/voxel_grid.hpp>
+#include <hybridfusion/lidar/dense_map_options.hpp>
 #include <hybridfusion/lidar/mapper.hpp>
-#include <hybridfusion/lidar/odometry_options.hpp>
 
 #include <cstdint>
 #include <limits>

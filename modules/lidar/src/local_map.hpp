@@ -3,7 +3,7 @@
 #include "incremental_kd_tree.hpp"
 #include "voxel_map.hpp"
 
-#include <hybridfusion/lidar/odometry_options.hpp>
+#include <hybridfusion/lidar/local_map_options.hpp>
 
 #include <concepts>
 #include <utility>

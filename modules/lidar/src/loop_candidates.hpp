@@ -2,7 +2,7 @@
 
 #include "scan_store.hpp"
 
-#include <hybridfusion/lidar/odometry_options.hpp>
+#include <hybridfusion/lidar/loop_closure_options.hpp>
 
 #include <span>
 #include <vector>

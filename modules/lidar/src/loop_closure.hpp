@@ -3,7 +3,7 @@
 #include "scan_store.hpp"
 
 #include <hybridfusion/core/run_context.hpp>
-#include <hybridfusion/lidar/odometry_options.hpp>
+#include <hybridfusion/lidar/loop_closure_options.hpp>
 
 #include <span>
 #include <string>

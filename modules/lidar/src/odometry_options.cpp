@@ -1,3 +1,4 @@
+#include <hybridfusion/lidar/lidar_rig.hpp>
 #include <hybridfusion/lidar/odometry.hpp>
 #include <hybridfusion/lidar/odometry_options.hpp>
 

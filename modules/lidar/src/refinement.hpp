@@ -4,7 +4,7 @@
 #include "scan_store.hpp"
 
 #include <hybridfusion/core/run_context.hpp>
-#include <hybridfusion/lidar/odometry_options.hpp>
+#include <hybridfusion/lidar/refinement_options.hpp>
 
 namespace hybridfusion {
 

@@ -4,7 +4,7 @@
 #include "nav_state.hpp"
 
 #include <hybridfusion/core/sensor_data.hpp>
-#include <hybridfusion/lidar/odometry_options.hpp>
+#include <hybridfusion/lidar/filter_options.hpp>
 
 #include <array>
 #include <optional>

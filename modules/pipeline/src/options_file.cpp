@@ -1,6 +1,6 @@
 #include "options_text.hpp"
+#include "options_yaml.hpp"
 
-#include <hybridfusion/core/options_yaml.hpp>
 #include <hybridfusion/io/atomic_file.hpp>
 #include <hybridfusion/pipeline/options_file.hpp>
 #include <hybridfusion/pipeline/pipeline_options.hpp>

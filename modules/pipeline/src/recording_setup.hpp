@@ -2,6 +2,7 @@
 
 #include <hybridfusion/io/scan_source.hpp>
 #include <hybridfusion/io/sensors_yaml.hpp>
+#include <hybridfusion/lidar/lidar_rig.hpp>
 #include <hybridfusion/lidar/odometry_options.hpp>
 #include <hybridfusion/pipeline/stages.hpp>
 

@@ -3,6 +3,7 @@
 #include <hybridfusion/core/options.hpp>
 #include <hybridfusion/core/run_context.hpp>
 #include <hybridfusion/core/sensor_data.hpp>
+#include <hybridfusion/lidar/lidar_rig.hpp>
 #include <hybridfusion/lidar/odometry_options.hpp>
 
 #include <array>

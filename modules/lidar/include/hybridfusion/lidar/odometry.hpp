@@ -2,6 +2,7 @@
 
 #include <hybridfusion/core/sensor_data.hpp>
 #include <hybridfusion/core/trajectory.hpp>
+#include <hybridfusion/lidar/lidar_rig.hpp>
 #include <hybridfusion/lidar/odometry_options.hpp>
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 #pragma once
 
 /// @file
-/// YAML binding of option tables. Included by .cpp files only (yaml-cpp is heavy).
+/// YAML binding of option tables. Private: yaml-cpp is heavy, and no user of the library sees it.
 
 #include <hybridfusion/core/options.hpp>
 
