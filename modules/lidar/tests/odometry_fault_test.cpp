@@ -81,56 +81,92 @@ void forget_the_start(SimulatedDrive& drive) {
 // A scan lasts 0.6 m of way; without point times a quarter of it stays in the worst place.
 constexpr double kWithinAScan_m = 0.15;
 
-std::vector<Fault> faults() {
+std::vector<Fault> point_faults() {
   constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-  return {
-      {.name = "NanPoints",
-       .break_it =
-           [](SimulatedDrive& drive) {
+  return {{.name = "NanPoints",
+           .break_it =
+               [](SimulatedDrive& drive) {
+                 for (LidarScan& scan : drive.scans) {
+                   for (std::size_t i = 0; i < scan.points.size(); i += 3) {
+                     scan.points[i].point_in_lidar.x() = kNan;
+                   }
+                 }
+               }},
+          {.name = "UnsortedPoints",
+           .break_it =
+               [](SimulatedDrive& drive) {
+                 for (LidarScan& scan : drive.scans) std::ranges::reverse(scan.points);
+               }},
+          {.name = "ZeroPointTimes",
+           .break_it = every_point([](LidarPoint& point) { point.offset_ns = 0; }),
+           .expected_flag = bit(ScanFlag::kNoPointTimes),
+           .max_error_m = kWithinAScan_m},
+          {.name = "PointTimesAThousandTimesTooShort",
+           .break_it = every_point([](LidarPoint& point) { point.offset_ns /= 1000; }),
+           .expected_flag = bit(ScanFlag::kNoPointTimes),
+           .max_error_m = kWithinAScan_m},
+          {.name = "PointTimesTenTimesTooLong",
+           .break_it = every_point([](LidarPoint& point) { point.offset_ns *= 10; }),
+           .expected_flag = bit(ScanFlag::kNoPointTimes),
+           .max_error_m = kWithinAScan_m},
+          {.name = "RingMajorPoints", .break_it = [](SimulatedDrive& drive) {
              for (LidarScan& scan : drive.scans) {
-               for (std::size_t i = 0; i < scan.points.size(); i += 3) {
-                 scan.points[i].point_in_lidar.x() = kNan;
-               }
+               std::ranges::stable_sort(scan.points, {}, &LidarPoint::ring);
              }
-           }},
+           }}};
+}
+
+std::vector<Fault> imu_faults() {
+  return {{.name = "ImuAt100Hz", .break_it = [](SimulatedDrive& drive) { keep_every(2, drive); }},
+          // 12.5 Hz: an interval of the IMU holds one sample or none.
+          {.name = "OneImuSampleAScan",
+           .break_it = [](SimulatedDrive& drive) { keep_every(16, drive); },
+           .expected_warning = "samples a second"},
+          {.name = "ImuGapOfOneSecond",
+           .break_it =
+               [](SimulatedDrive& drive) {
+                 std::erase_if(drive.imu, [](const ImuSample& s) {
+                   return seconds_in(s.time) > 6.0 && seconds_in(s.time) < 7.0;
+                 });
+               },
+           .expected_flag = bit(ScanFlag::kImuGap),
+           .summary_tells = [](const OdometrySummary& s) { return s.num_imu_gaps == 1; }},
+          {.name = "ImuStampGoesBackOnce",
+           .break_it =
+               [](SimulatedDrive& drive) {
+                 for (std::size_t i = 1300; i < 1304; ++i) {
+                   drive.imu[i].time -= std::chrono::seconds(3);
+                 }
+               }},
+          {.name = "ImuInG",
+           .break_it = every_sample([](ImuSample& s) { s.specific_force_mps2 /= 9.80665; }),
+           .summary_tells = [](const OdometrySummary& s) { return s.imu_in_g; }},
+          {.name = "SaturatedImu",
+           .break_it =
+               [](SimulatedDrive& drive) {
+                 for (std::size_t i = 1200; i < 1260; ++i) {
+                   drive.imu[i].angular_velocity_radps.z() = 4.36;
+                   drive.imu[i].specific_force_mps2.x() = 39.2;
+                 }
+               },
+           .expected_flag = bit(ScanFlag::kSaturated)},
+          {.name = "NoStandstill",
+           .break_it = forget_the_start,
+           .expected_warning = "no standstill",
+           .summary_tells = [](const OdometrySummary& s) { return !s.started_at_standstill; }},
+          {.name = "UpsideDown", .break_it = turn_the_imu_over}};
+}
+
+std::vector<Fault> scan_faults() {
+  return {
       {.name = "EmptyScans",
        .break_it =
            [](SimulatedDrive& drive) {
-             for (std::size_t i = 30; i < drive.scans.size(); i += 20)
+             for (std::size_t i = 30; i < drive.scans.size(); i += 20) {
                drive.scans[i].points.clear();
+             }
            },
        .expected_flag = bit(ScanFlag::kFewPoints)},
-      {.name = "UnsortedPoints",
-       .break_it =
-           [](SimulatedDrive& drive) {
-             for (LidarScan& scan : drive.scans) std::ranges::reverse(scan.points);
-           }},
-      {.name = "ZeroPointTimes",
-       .break_it = every_point([](LidarPoint& point) { point.offset_ns = 0; }),
-       .expected_flag = bit(ScanFlag::kNoPointTimes),
-       .max_error_m = kWithinAScan_m},
-      {.name = "PointTimesAThousandTimesTooShort",
-       .break_it = every_point([](LidarPoint& point) { point.offset_ns /= 1000; }),
-       .expected_flag = bit(ScanFlag::kNoPointTimes),
-       .max_error_m = kWithinAScan_m},
-      {.name = "PointTimesTenTimesTooLong",
-       .break_it = every_point([](LidarPoint& point) { point.offset_ns *= 10; }),
-       .expected_flag = bit(ScanFlag::kNoPointTimes),
-       .max_error_m = kWithinAScan_m},
-      {.name = "ImuAt100Hz", .break_it = [](SimulatedDrive& drive) { keep_every(2, drive); }},
-      // 12.5 Hz: an interval of the IMU holds one sample or none.
-      {.name = "OneImuSampleAScan",
-       .break_it = [](SimulatedDrive& drive) { keep_every(16, drive); },
-       .expected_warning = "samples a second"},
-      {.name = "ImuGapOfOneSecond",
-       .break_it =
-           [](SimulatedDrive& drive) {
-             std::erase_if(drive.imu, [](const ImuSample& s) {
-               return seconds_in(s.time) > 6.0 && seconds_in(s.time) < 7.0;
-             });
-           },
-       .expected_flag = bit(ScanFlag::kImuGap),
-       .summary_tells = [](const OdometrySummary& s) { return s.num_imu_gaps == 1; }},
       {.name = "LidarGapOfTwoSeconds",
        .break_it =
            [](SimulatedDrive& drive) {
@@ -144,41 +180,20 @@ std::vector<Fault> faults() {
        .break_it = [](SimulatedDrive& drive) { drive.scans[60].stamp -= std::chrono::seconds(3); },
        .lost_scans = 1,
        .summary_tells = [](const OdometrySummary& s) { return s.num_scans_dropped == 1; }},
-      {.name = "ImuStampGoesBackOnce",
-       .break_it =
-           [](SimulatedDrive& drive) {
-             for (std::size_t i = 1300; i < 1304; ++i) drive.imu[i].time -= std::chrono::seconds(3);
-           }},
-      {.name = "ImuInG",
-       .break_it = every_sample([](ImuSample& s) { s.specific_force_mps2 /= 9.80665; }),
-       .summary_tells = [](const OdometrySummary& s) { return s.imu_in_g; }},
-      {.name = "SaturatedImu",
-       .break_it =
-           [](SimulatedDrive& drive) {
-             for (std::size_t i = 1200; i < 1260; ++i) {
-               drive.imu[i].angular_velocity_radps.z() = 4.36;
-               drive.imu[i].specific_force_mps2.x() = 39.2;
-             }
-           },
-       .expected_flag = bit(ScanFlag::kSaturated)},
-      {.name = "RingMajorPoints",
-       .break_it =
-           [](SimulatedDrive& drive) {
-             for (LidarScan& scan : drive.scans) {
-               std::ranges::stable_sort(scan.points, {}, &LidarPoint::ring);
-             }
-           }},
-      {.name = "NoStandstill",
-       .break_it = forget_the_start,
-       .expected_warning = "no standstill",
-       .summary_tells = [](const OdometrySummary& s) { return !s.started_at_standstill; }},
-      {.name = "UpsideDown", .break_it = turn_the_imu_over},
       {.name = "DuplicateScans", .break_it = [](SimulatedDrive& drive) {
          for (std::size_t i = 20; i < 80; i += 10) {
            const LidarScan copy = drive.scans[i];
            drive.scans.insert(drive.scans.begin() + static_cast<std::ptrdiff_t>(i), copy);
          }
        }}};
+}
+
+std::vector<Fault> faults() {
+  std::vector<Fault> all = point_faults();
+  for (const auto& more : {imu_faults(), scan_faults()}) {
+    all.insert(all.end(), more.begin(), more.end());
+  }
+  return all;
 }
 
 struct Outcome {

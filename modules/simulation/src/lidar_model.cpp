@@ -71,6 +71,31 @@ double detection_chance(const LidarModelOptions& options,
   return 0.985 * strength * strength / (strength * strength + 0.35);
 }
 
+constexpr float kNear_m = 0.2F;
+/// Share of the returns whose beam is looked at for a second surface under its rim.
+constexpr double kRimShare = 0.2;
+
+struct Ray {
+  Eigen::Vector3f origin;
+  Eigen::Vector3f direction;
+};
+
+/// The rim of the beam may touch something else: a few such returns mix the two ranges.
+/// @param edge Draw in [0, kRimShare): which side of the beam, and how much of the other surface.
+double rim_error_m(
+    const RayTracer& tracer, const Ray& ray, double range_m, double edge, float far_m) {
+  const Eigen::Vector3f side = ray.direction.unitOrthogonal();
+  const auto angle = static_cast<float>(2.0 * std::numbers::pi * edge / kRimShare);
+  const Eigen::Vector3f rim =
+      (ray.direction +
+       kDivergence_rad * (std::cos(angle) * side + std::sin(angle) * ray.direction.cross(side)))
+          .normalized();
+  const RayHit other = tracer.cast(ray.origin, rim, kNear_m, far_m);
+  const double gap = static_cast<double>(other.distance_m) - range_m;
+  const bool mixes = other.face != kNoFace && std::abs(gap) > 0.15 && std::abs(gap) < 2.0;
+  return mixes ? gap * (0.15 + 3.5 * edge) : 0.0;
+}
+
 }  // namespace
 
 bool in_field_of_view(const LidarModelOptions& options, const Eigen::Vector3d& point) {
@@ -117,7 +142,6 @@ std::vector<LidarReturn> scan_scene(const Scene& scene,
     const double edge = random.uniform();
     const double flicker = random.uniform(0.9, 1.1);
     const Eigen::Vector3f direction = (rotation * beam.direction).cast<float>().normalized();
-    constexpr float kNear_m = 0.2F;
     const auto far = static_cast<float>(options.max_range_m);
     const RayHit hit = tracer.cast(origin, direction, kNear_m, far);
     if (hit.face == kNoFace || hit.distance_m < options.min_range_m) continue;
@@ -126,20 +150,7 @@ std::vector<LidarReturn> scan_scene(const Scene& scene,
         std::min(1.0, static_cast<double>(std::abs(face_normal(scene, hit.face).dot(direction))));
     double range = static_cast<double>(hit.distance_m);
     if (chance > detection_chance(options, surface, range, cosine)) continue;
-    if (edge < 0.2) {
-      // The rim of the beam may touch something else: a few such returns mix the two ranges.
-      const Eigen::Vector3f side = direction.unitOrthogonal();
-      const auto angle = static_cast<float>(2.0 * std::numbers::pi * edge / 0.2);
-      const Eigen::Vector3f rim =
-          (direction +
-           kDivergence_rad * (std::cos(angle) * side + std::sin(angle) * direction.cross(side)))
-              .normalized();
-      const RayHit other = tracer.cast(origin, rim, kNear_m, far);
-      const double gap = static_cast<double>(other.distance_m) - range;
-      if (other.face != kNoFace && std::abs(gap) > 0.15 && std::abs(gap) < 2.0) {
-        range += gap * (0.15 + 3.5 * edge);
-      }
-    }
+    if (edge < kRimShare) range += rim_error_m(tracer, {origin, direction}, range, edge, far);
     range += options.range_sd_m * noise;
     const Eigen::Vector3d point = range * beam.direction;
     LidarReturn out;
