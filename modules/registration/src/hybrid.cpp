@@ -124,6 +124,7 @@ Evidence outline_evidence(const std::vector<OutlinePlace>& places,
   if (places.size() > 1) {
     evidence.second_score = places[1].score;
     evidence.second_offset = places[1].planar.position - best.planar.position;
+    evidence.second_turn_rad = places[1].planar.yaw_rad - best.planar.yaw_rad;
   }
   evidence.ground_inliers = best.ground_inliers;
   evidence.linear_share = clouds.lidar_maps.linear_share;

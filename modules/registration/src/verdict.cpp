@@ -43,11 +43,12 @@ std::vector<Factor> weigh(const Evidence& e, const VerdictOptions& o) {
                    e.linear_share,
                    o.min_linear_share)},
       {ramp(ratio, o.max_peak_ratio, o.doubtful_peak_ratio),
-       fmt::format("ambiguous: a place {:.1f} m away (bearing {:.0f} deg from x) scores {:.2f} of "
-                   "the best (limit {:.2f}); give a better initial pose with its covariance or a "
-                   "larger LiDAR cloud",
+       fmt::format("ambiguous: a place {:.1f} m away (bearing {:.0f} deg from x), turned by {:.0f} "
+                   "deg, scores {:.2f} of the best (limit {:.2f}); give a better initial pose with "
+                   "its covariance or a larger LiDAR cloud",
                    e.second_offset.norm(),
                    kDeg * std::atan2(e.second_offset.y(), e.second_offset.x()),
+                   std::abs(std::remainder(kDeg * e.second_turn_rad, 360.0)),
                    ratio,
                    o.max_peak_ratio)},
       {ramp(e.ridge.ratio, o.max_ridge_ratio, o.max_ridge_ratio - 0.1),

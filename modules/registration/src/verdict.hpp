@@ -10,6 +10,7 @@ struct Evidence {
   double best_score = 0.0;
   double second_score = 0.0;
   Eigen::Vector2d second_offset = Eigen::Vector2d::Zero();  ///< From the best place [m].
+  double second_turn_rad = 0.0;                             ///< From the best place's heading.
   PoseEvidence best = {};                                   ///< At the final pose.
   std::size_t ground_inliers = 0;
   double linear_share = 0.0;
