@@ -1,6 +1,5 @@
 #include "paper_step_figures.hpp"
 
-#include "paper/described_pair.hpp"
 #include "prepared_clouds.hpp"
 
 #include <algorithm>
@@ -135,40 +134,47 @@ void count_poses(const RegistrationResult& result, const Rigid3& truth, StepFigu
 
 }  // namespace
 
-Expected<StepFigures> paper_step_figures(const PointCloud& vision,
-                                         const PointCloud& lidar,
-                                         const RegistrationInput& input,
-                                         const RegistrationOptions& options,
-                                         const RegistrationResult& result,
-                                         const Rigid3& true_vision_from_lidar,
-                                         const RunContext& ctx) {
+Expected<DescribedScene> describe_scene(const PointCloud& vision,
+                                        const PointCloud& lidar,
+                                        const RegistrationInput& input,
+                                        const RegistrationOptions& options,
+                                        const RunContext& ctx) {
   HF_TRY(const PreparedClouds clouds, prepare_clouds(vision, lidar, input, options, ctx));
   const std::vector<float> vision_heights = heights_above(clouds.vision_ground, clouds.vision, ctx);
   const std::vector<float> lidar_heights = heights_above(clouds.lidar_ground, clouds.lidar, ctx);
-  const Rigid3 coarse = height_aligned_initial(clouds);
-  HF_TRY(const DescribedPair pair,
+  DescribedScene scene;
+  scene.coarse = height_aligned_initial(clouds);
+  scene.lidar_from_leveled.rotation = clouds.leveled_from_lidar.conjugate();
+  HF_TRY(scene.pair,
          describe_pair({clouds.vision, vision_heights},
                        {clouds.lidar, lidar_heights},
-                       coarse,
+                       scene.coarse,
                        options.paper,
                        ctx));
-  const Rigid3 true_from_leveled =
-      true_vision_from_lidar * Rigid3{.rotation = clouds.leveled_from_lidar.conjugate()};
-  const Rigid3 true_from_coarse = true_from_leveled * coarse.inverse();
+  return scene;
+}
+
+StepFigures paper_step_figures(const DescribedScene& scene,
+                               const PaperOptions& options,
+                               const RegistrationResult& result,
+                               const Rigid3& true_vision_from_lidar) {
+  const DescribedPair& pair = scene.pair;
+  const Rigid3 true_from_coarse =
+      true_vision_from_lidar * scene.lidar_from_leveled * scene.coarse.inverse();
   StepFigures figures{.num_cells = pair.vision.grid.patches.size()};
   Ranking ranking;
   for (const PatchedCloud& grid : pair.lidar) {
     for (std::size_t p = 0; p < grid.grid.patches.size(); ++p) {
       const Patch& patch = grid.grid.patches[p];
-      if (std::cmp_less_equal(patch.indices.size(), options.paper.min_patch_points)) continue;
+      if (std::cmp_less_equal(patch.indices.size(), options.min_patch_points)) continue;
       const auto true_cell = cell_at(pair.vision.grid, true_from_coarse * patch.centroid);
       if (!true_cell) continue;
       follow(grid,
              pair.vision,
              p,
              *true_cell,
-             coarse.translation.head<2>(),
-             options.paper,
+             scene.coarse.translation.head<2>(),
+             options,
              figures,
              ranking);
     }

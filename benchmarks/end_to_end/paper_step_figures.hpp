@@ -1,5 +1,7 @@
 #pragma once
 
+#include "paper/described_pair.hpp"
+
 #include <hybridfusion/registration/register_cross_source.hpp>
 
 #include <cstddef>
@@ -32,14 +34,24 @@ struct StepFigures {
   std::size_t right_3d = 0;
 };
 
+/// Both clouds described as register_cross_source does it for the paper method. Variants whose
+/// descriptors are the same can share one.
+struct DescribedScene {
+  DescribedPair pair = {};
+  Rigid3 coarse = {};  ///< With its height aligned; takes the leveled frame to vision.
+  Rigid3 lidar_from_leveled = {};
+};
+[[nodiscard]] Expected<DescribedScene> describe_scene(const PointCloud& vision,
+                                                      const PointCloud& lidar,
+                                                      const RegistrationInput& input,
+                                                      const RegistrationOptions& options,
+                                                      const RunContext& ctx);
+
 /// @param options  Of the chain with the variant that is looked at.
 /// @param result   Of register_cross_source with these options, for its patches.
-[[nodiscard]] Expected<StepFigures> paper_step_figures(const PointCloud& vision,
-                                                       const PointCloud& lidar,
-                                                       const RegistrationInput& input,
-                                                       const RegistrationOptions& options,
-                                                       const RegistrationResult& result,
-                                                       const Rigid3& true_vision_from_lidar,
-                                                       const RunContext& ctx);
+[[nodiscard]] StepFigures paper_step_figures(const DescribedScene& scene,
+                                             const PaperOptions& options,
+                                             const RegistrationResult& result,
+                                             const Rigid3& true_vision_from_lidar);
 
 }  // namespace hybridfusion::benchmark
