@@ -1,32 +1,17 @@
 #include "pair_table.hpp"
 
+#include "quantile.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <sys/resource.h>
 
 namespace hybridfusion::benchmark {
 namespace {
-
-double peak_memory_mb() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024.0;
-}
-
-double quantile(std::vector<double> values, double share) {
-  const auto at = static_cast<std::size_t>(share * static_cast<double>(values.size() - 1) + 0.5);
-  std::ranges::nth_element(values, values.begin() + static_cast<std::ptrdiff_t>(at));
-  return values[at];
-}
-
-/// "-" where there is nothing to take a quantile of.
-std::string figure(const std::vector<double>& values, double share, int digits) {
-  return values.empty() ? "-" : fmt::format("{:.{}f}", quantile(values, share), digits);
-}
 
 /// The outcomes of one group by one method.
 struct GroupFigures {
@@ -41,10 +26,12 @@ struct GroupFigures {
   std::vector<double> floor_m = {};
   std::vector<double> places_m = {};
   std::vector<double> cpu_s = {};
+  std::vector<double> memory_mb = {};
 
   void add(const Outcome& o) {
     ++pairs;
     cpu_s.push_back(o.cpu_s);
+    if (o.memory_mb > 0.0) memory_mb.push_back(o.memory_mb);
     if (!o.ok) {
       ++refused;
     } else if (!o.right) {
@@ -72,19 +59,18 @@ void print_table(const std::vector<Outcome>& outcomes, const std::vector<std::st
         "| CPU s |\n"
         "|---|---|---|---|---|---|---|---|---|---|---|\n",
         method);
-    std::size_t total = 0;
-    std::size_t wrong_total = 0;
+    GroupFigures all;
     for (const CaseGroup& group : case_groups()) {
       GroupFigures f;
       for (const Outcome& o : outcomes) {
-        if (o.method == method && o.group == group.name) f.add(o);
+        if (o.method != method || o.group != group.name) continue;
+        f.add(o);
+        all.add(o);
       }
       if (f.pairs == 0) continue;
-      total += f.pairs;
-      wrong_total += f.wrong;
       fmt::print("| {}{} | {} | {} | {} | {} | {} / {} | {} | {} | {} | {} / {} | {} |\n",
                  group.text,
-                 group.must_refuse ? " (to be refused)" : "",
+                 group.must_refuse() ? " (to be refused)" : "",
                  f.pairs,
                  f.right,
                  f.refused,
@@ -98,9 +84,51 @@ void print_table(const std::vector<Outcome>& outcomes, const std::vector<std::st
                  figure(f.places_m, 0.5, 3),
                  figure(f.cpu_s, 0.5, 1));
     }
-    fmt::print("\n{} pairs, {} wrong answers given as right\n", total, wrong_total);
+    fmt::print(
+        "\n{} pairs, {} wrong answers given as right; CPU s median {}, 95 % {}, most {}; "
+        "memory of a registration [MB] median {}, 95 % {}, most {}\n",
+        all.pairs,
+        all.wrong,
+        figure(all.cpu_s, 0.5, 1),
+        figure(all.cpu_s, 0.95, 1),
+        figure(all.cpu_s, 1.0, 1),
+        figure(all.memory_mb, 0.5, 0),
+        figure(all.memory_mb, 0.95, 0),
+        figure(all.memory_mb, 1.0, 0));
   }
-  fmt::print("\npeak memory {:.0f} MB, simulation included\n", peak_memory_mb());
+}
+
+Expected<std::vector<Outcome>> read_json(const std::string& path) {
+  std::ifstream file(path);
+  if (!file) return fail(ErrorCode::kNotFound, fmt::format("{}: cannot be read", path));
+  std::vector<Outcome> outcomes;
+  try {
+    for (const auto& row : nlohmann::json::parse(file)) {
+      Outcome o{.group = row.at("group"), .seed = row.at("seed"), .method = row.at("method")};
+      o.ok = row.at("ok");
+      o.right = row.at("right");
+      o.errors = {.at_centroid_m = row.at("at_centroid_m"),
+                  .horizontal_m = row.at("horizontal_m"),
+                  .vertical_m = row.at("vertical_m"),
+                  .rotation_deg = row.at("rotation_deg")};
+      // Files of before know the whole rotation only, which is never less.
+      o.yaw_deg = row.value("yaw_deg", o.errors.rotation_deg);
+      o.floor_m = row.at("floor_m");
+      o.places_m = row.at("places_m");
+      o.scale_error = row.at("scale_error");
+      o.confidence = row.at("confidence");
+      o.cpu_s = row.at("cpu_s");
+      o.memory_mb = row.value("memory_mb", 0.0);
+      o.reason = row.at("reason");
+      for (const auto& [name, value] : row.at("scores").items()) {
+        o.scores.push_back({name, value.is_number() ? value.get<double>() : 0.0});
+      }
+      outcomes.push_back(std::move(o));
+    }
+  } catch (const nlohmann::json::exception& error) {
+    return fail(ErrorCode::kParse, fmt::format("{}: {}", path, error.what()));
+  }
+  return outcomes;
 }
 
 void write_json(const std::vector<Outcome>& outcomes, const std::string& path) {
@@ -117,11 +145,13 @@ void write_json(const std::vector<Outcome>& outcomes, const std::string& path) {
                     {"horizontal_m", o.errors.horizontal_m},
                     {"vertical_m", o.errors.vertical_m},
                     {"rotation_deg", o.errors.rotation_deg},
+                    {"yaw_deg", o.yaw_deg},
                     {"floor_m", o.floor_m},
                     {"places_m", o.places_m},
                     {"scale_error", o.scale_error},
                     {"confidence", o.confidence},
                     {"cpu_s", o.cpu_s},
+                    {"memory_mb", o.memory_mb},
                     {"reason", o.reason},
                     {"scores", scores}});
   }

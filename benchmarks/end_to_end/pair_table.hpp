@@ -19,18 +19,26 @@ struct Outcome {
   bool ok = false;     ///< The method vouches for its pose.
   bool right = false;  ///< Within 1 m and 2 degrees of the truth.
   RegistrationErrors errors = {};
+  double yaw_deg = 0.0;  ///< Of the error, about the vertical.
   double floor_m = 0.0;
   double places_m =
       0.0;  ///< Root mean square distance of the straightened LiDAR cloud to its place.
   double scale_error = 0.0;
   double confidence = 0.0;
   double cpu_s = 0.0;
+  double memory_mb = 0.0;  ///< Peak of the registration alone; 0: not measured.
   std::string reason = {};
   std::vector<RegistrationScore> scores = {};
 };
 
 /// One table a method, one row a group, as Markdown.
 void print_table(const std::vector<Outcome>& outcomes, const std::vector<std::string>& methods);
+
+/// The goals of the benchmark with what one method reached.
+void print_goals(const std::vector<Outcome>& outcomes, const std::string& method);
+
+/// The outcomes of a file that write_json wrote; without the columns of later versions.
+[[nodiscard]] Expected<std::vector<Outcome>> read_json(const std::string& path);
 
 /// Every single outcome with its scores.
 void write_json(const std::vector<Outcome>& outcomes, const std::string& path);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <Eigen/Dense>
 
@@ -119,20 +120,24 @@ std::optional<InertialVelocityChange> inertial_velocity_change(std::span<const S
                     b->position / b->duration_s - a->position / a->duration_s + by_bias};
 }
 
-double level_map(std::vector<StoredScan>& scans) {
-  if (scans.empty()) return 0.0;
+MapLevel level_map(std::vector<StoredScan>& scans) {
+  if (scans.empty()) return {};
   Eigen::Vector3d down = Eigen::Vector3d::Zero();
+  double sigma_rad = std::numeric_limits<double>::infinity();
   const auto fit = fit_gravity(scans);
   if (fit && fit->tilt_sigma_rad < kMaxTiltSigma_rad) {
     down = fit->gravity_in_map;
+    sigma_rad = fit->tilt_sigma_rad;
   } else {
     // Late estimates know the accelerometer bias: they weigh by their own variance.
     for (const StoredScan& scan : scans) {
       const double sigma = std::max(scan.gravity_sigma_rad, 1e-6);
       down += (scan.map_from_imu.rotation * scan.gravity_in_imu).normalized() / (sigma * sigma);
+      // One filter's estimates share their errors: their mean is no better than the best.
+      sigma_rad = std::min(sigma_rad, sigma);
     }
   }
-  if (!down.allFinite() || down.norm() == 0.0) return 0.0;
+  if (!down.allFinite() || down.norm() == 0.0) return {};
   const Eigen::Quaterniond level =
       Eigen::Quaterniond::FromTwoVectors(down, -Eigen::Vector3d::UnitZ());
   const Eigen::Vector3d origin = scans.front().map_from_imu.translation;
@@ -140,7 +145,8 @@ double level_map(std::vector<StoredScan>& scans) {
     scan.map_from_imu.translation = level * (scan.map_from_imu.translation - origin) + origin;
     scan.map_from_imu.rotation = (level * scan.map_from_imu.rotation).normalized();
   }
-  return rotation_distance_rad(level, Eigen::Quaterniond::Identity());
+  return {.turn_rad = rotation_distance_rad(level, Eigen::Quaterniond::Identity()),
+          .sigma_rad = sigma_rad};
 }
 
 }  // namespace hybridfusion

@@ -34,9 +34,14 @@ struct InertialVelocityChange {
     std::size_t last,
     const GravityFit& fit);
 
+struct MapLevel {
+  double turn_rad = 0.0;  ///< Angle by which the map was turned.
+  double sigma_rad =
+      0.0;  ///< Formal deviation of the map's vertical; 0: not known, left as it was.
+};
+
 /// Turns the map about its first pose so that gravity points down: by fit_gravity where that is
 /// certain enough, else as the filter came to know gravity.
-/// @returns the angle of that turn [rad].
-double level_map(std::vector<StoredScan>& scans);
+MapLevel level_map(std::vector<StoredScan>& scans);
 
 }  // namespace hybridfusion

@@ -184,7 +184,9 @@ Expected<MappingResult> LidarMapper::finish(const RunContext& ctx, const MapSink
   add_warnings(result.odometry, result.warnings);
   if (auto done = impl_->correct_drift(ctx); !done) return std::unexpected(done.error());
   if (auto done = impl_->refine(ctx); !done) return std::unexpected(done.error());
-  result.level_correction_rad = level_map(store.scans());
+  const MapLevel level = level_map(store.scans());
+  result.level_correction_rad = level.turn_rad;
+  result.level_sigma_rad = level.sigma_rad;
   for (const StoredScan& scan : store.scans()) {
     result.trajectory.poses.push_back({.time = scan.time, .map_from_body = scan.map_from_imu});
   }

@@ -187,8 +187,10 @@ TEST(FitGravity, SeparatesTiltFromAccelerometerBias) {
   const Eigen::Vector3d down = tilt * -Eigen::Vector3d::UnitZ();
   EXPECT_LT(fit->gravity_in_map.normalized().cross(down).norm(), 1e-4);
   EXPECT_LT((fit->accel_bias_mps2 - Eigen::Vector3d(0.08, -0.05, 0.03)).head<2>().norm(), 5e-3);
-  EXPECT_NEAR(level_map(scans), Eigen::Vector2d(0.02, 0.03).norm(), 1e-4);
-  EXPECT_LT(level_map(scans), 1e-4);
+  const MapLevel level = level_map(scans);
+  EXPECT_NEAR(level.turn_rad, Eigen::Vector2d(0.02, 0.03).norm(), 1e-4);
+  EXPECT_EQ(level.sigma_rad, fit->tilt_sigma_rad);
+  EXPECT_LT(level_map(scans).turn_rad, 1e-4);
 }
 
 TEST(FitGravity, IsSilentWithoutEnoughImuData) {
@@ -196,7 +198,9 @@ TEST(FitGravity, IsSilentWithoutEnoughImuData) {
   EXPECT_FALSE(fit_gravity(std::span(scans).first(30)));
   for (auto& scan : scans) scan.since_last.bridged = true;
   EXPECT_FALSE(fit_gravity(scans));
-  EXPECT_LT(level_map(scans), 1e-9);  // the filter's gravity: level already
+  const MapLevel level = level_map(scans);
+  EXPECT_LT(level.turn_rad, 1e-9);  // the filter's gravity: level already
+  EXPECT_EQ(level.sigma_rad, 0.01);
 }
 
 }  // namespace

@@ -60,6 +60,11 @@ Expected<MappingResult> map_recording(ScanSource& source,
 Expected<void> write_map_files(const Workspace& workspace, const MappingResult& mapping) {
   auto written = write_tum(workspace.path(workspace_file::kTrajectory), mapping.trajectory);
   if (!written) return written;
+  if (mapping.level_sigma_rad > 0.0) {
+    const Json level = {{"vertical_sigma_deg", 180.0 / std::numbers::pi * mapping.level_sigma_rad}};
+    written = write_file_atomically(workspace.path(workspace_file::kLevel), to_text(level));
+    if (!written) return written;
+  }
   std::string csv = quality_csv_header() + "\n";
   for (const ScanQuality& quality : mapping.quality) csv += quality_csv_row(quality) + "\n";
   return write_file_atomically(workspace.path(workspace_file::kQuality), csv);
@@ -249,6 +254,7 @@ Expected<StageOutcome> map_stage(Project& project,
                  .outputs = {workspace_file::kTrajectory,
                              workspace_file::kMap,
                              workspace_file::kQuality,
+                             workspace_file::kLevel,
                              workspace_file::kGnss}};
   HF_TRY(plan.inputs, recording_files(bag));
   if (setup.sensors_path) plan.inputs.push_back(*setup.sensors_path);

@@ -17,8 +17,20 @@ std::string coordinates(const std::optional<Eigen::Vector3d>& point) {
   return fmt::format("{:.6f},{:.6f},{:.6f}", point->x(), point->y(), point->z());
 }
 
-/// Fields of the record that starts at `at`, which moves behind its end.
-std::vector<std::string> next_record(std::string_view text, std::size_t& at) {
+std::optional<Eigen::Vector3d> point_of(const std::vector<std::string>& fields, std::size_t first) {
+  Eigen::Vector3d point;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::string& field = fields[first + k];
+    const char* end = field.data() + field.size();
+    const auto parsed = std::from_chars(field.data(), end, point[static_cast<Eigen::Index>(k)]);
+    if (parsed.ec != std::errc{} || parsed.ptr != end) return std::nullopt;
+  }
+  return point;
+}
+
+}  // namespace
+
+std::vector<std::string> next_csv_record(std::string_view text, std::size_t& at) {
   std::vector<std::string> fields(1);
   bool in_quotes = false;
   for (; at < text.size(); ++at) {
@@ -44,19 +56,6 @@ std::vector<std::string> next_record(std::string_view text, std::size_t& at) {
   }
   return fields;
 }
-
-std::optional<Eigen::Vector3d> point_of(const std::vector<std::string>& fields, std::size_t first) {
-  Eigen::Vector3d point;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::string& field = fields[first + k];
-    const char* end = field.data() + field.size();
-    const auto parsed = std::from_chars(field.data(), end, point[static_cast<Eigen::Index>(k)]);
-    if (parsed.ec != std::errc{} || parsed.ptr != end) return std::nullopt;
-  }
-  return point;
-}
-
-}  // namespace
 
 std::string csv_text(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
@@ -92,9 +91,9 @@ Expected<std::vector<PositionRow>> read_positions_csv(const std::filesystem::pat
   HF_TRY(const std::string text, read_text_file(path, kMaxCsvBytes));
   std::vector<PositionRow> rows;
   std::size_t at = 0;
-  next_record(text, at);  // the header
+  next_csv_record(text, at);  // the header
   while (at < text.size()) {
-    const std::vector<std::string> fields = next_record(text, at);
+    const std::vector<std::string> fields = next_csv_record(text, at);
     if (fields.size() != kNumColumns) {
       return fail(ErrorCode::kParse,
                   fmt::format("{}: record {} has {} fields instead of {}",

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <Eigen/Core>
@@ -21,6 +22,9 @@ struct PositionRow {
 
 /// A text as a field of a table, quoted as in RFC 4180 where it must be.
 [[nodiscard]] std::string csv_text(const std::string& text);
+
+/// Fields of the record of a table (RFC 4180) that starts at `at`, which moves behind its end.
+std::vector<std::string> next_csv_record(std::string_view text, std::size_t& at);
 
 /// Columns: name,registered,x,y,z,gnss_x,gnss_y,gnss_z,residual_h,residual_v,reason. A comma, a
 /// quote or a line break in a text is quoted as in RFC 4180.

@@ -1,5 +1,7 @@
 #include "coarse_pose.hpp"
 #include "json_text.hpp"
+#include "level_correction.hpp"
+#include "registration_json.hpp"
 #include "stage_runner.hpp"
 #include "workspace_data.hpp"
 
@@ -14,6 +16,7 @@
 #include <hybridfusion/registration/register_cross_source.hpp>
 
 #include <chrono>
+#include <numbers>
 #include <system_error>
 #include <utility>
 
@@ -26,7 +29,9 @@ namespace {
 struct Companions {
   std::optional<std::filesystem::path> trajectory = {};  ///< Beside L.
   std::optional<std::filesystem::path> gnss = {};        ///< Beside L.
+  std::optional<std::filesystem::path> level = {};       ///< Beside L.
   std::optional<std::filesystem::path> origin = {};      ///< Beside G.
+  std::optional<std::filesystem::path> covariance = {};  ///< Beside G.
 };
 
 std::optional<std::filesystem::path> beside(const std::filesystem::path& file,
@@ -38,9 +43,14 @@ std::optional<std::filesystem::path> beside(const std::filesystem::path& file,
 }
 
 Companions companions_of(const RegisterInputs& inputs) {
-  return {.trajectory = beside(inputs.lidar, "trajectory.tum"),
-          .gnss = beside(inputs.lidar, "gnss.json"),
-          .origin = beside(inputs.vision, "origin.json")};
+  Companions found = {.trajectory = beside(inputs.lidar, "trajectory.tum"),
+                      .gnss = beside(inputs.lidar, "gnss.json"),
+                      .level = beside(inputs.lidar, "level.json"),
+                      .origin = beside(inputs.vision, "origin.json"),
+                      .covariance = beside(inputs.vision, "pose_covariance.csv")};
+  // Without the poses the covariances say nothing.
+  if (!beside(inputs.vision, "images.txt")) found.covariance.reset();
+  return found;
 }
 
 Expected<std::vector<Eigen::Vector3d>> sensor_positions(const Companions& companions) {
@@ -51,81 +61,6 @@ Expected<std::vector<Eigen::Vector3d>> sensor_positions(const Companions& compan
     positions.push_back(pose.map_from_body.translation);
   }
   return positions;
-}
-
-Json json_of(const PoseCovariance& covariance) {
-  Json numbers = Json::array();
-  for (Eigen::Index r = 0; r < 6; ++r) {
-    for (Eigen::Index c = 0; c < 6; ++c) numbers.push_back(covariance(r, c));
-  }
-  return numbers;
-}
-
-Json json_of(const PatchMatch& patch) {
-  const auto cell = [](const Eigen::Vector2i& index) { return Json{index.x(), index.y()}; };
-  return {
-      {"lidar_cell", cell(patch.lidar_cell)},
-      {"vision_cell", cell(patch.vision_cell)},
-      {"outcome", to_string(patch.outcome)},
-      {"centroid_in_vision",
-       {patch.centroid_in_vision.x(), patch.centroid_in_vision.y(), patch.centroid_in_vision.z()}},
-      {"num_points", patch.num_points},
-      {"num_candidates", patch.num_candidates},
-      {"num_correlated", patch.num_correlated},
-      {"num_similar", patch.num_similar},
-      {"correlation", patch.correlation},
-      {"neighbour_score", patch.neighbour_score},
-      {"score_2d_m", patch.score_2d_m},
-      {"score_3d_m", patch.score_3d_m},
-      {"vision_from_lidar", matrix_json(patch.vision_from_lidar)}};
-}
-
-Json json_of(const DriftCorrection& drift) {
-  const auto vector = [](const Eigen::Vector3d& v) { return Json{v.x(), v.y(), v.z()}; };
-  Json knots = Json::array();
-  for (const DriftKnot& knot : drift.knots) {
-    knots.push_back({{"at", knot.at},
-                     {"pivot", vector(knot.pivot)},
-                     {"shift_m", vector(knot.shift_m)},
-                     {"turn_rad", vector(knot.turn_rad)}});
-  }
-  return {{"corrected", drift.supported},
-          {"along", drift.axis == DriftAxis::kTime ? "time_s" : "path_m"},
-          {"size_m", drift.size_m},
-          {"held_out_before_m", drift.held_out_before_m},
-          {"held_out_after_m", drift.held_out_after_m},
-          {"knots", std::move(knots)}};
-}
-
-Json json_of(const RegistrationResult& result) {
-  Json scores = Json::object();
-  for (const RegistrationScore& score : result.scores) scores[score.name] = score.value;
-  Json candidates = Json::array();
-  for (const PoseCandidate& candidate : result.candidates) {
-    candidates.push_back({{"vision_from_lidar", matrix_json(candidate.vision_from_lidar)},
-                          {"score", candidate.score}});
-  }
-  Json yaw_scores = Json::array();
-  for (const YawScore& yaw : result.yaw_scores) {
-    yaw_scores.push_back({{"yaw_rad", yaw.yaw_rad}, {"score", yaw.score}});
-  }
-  Json patches = Json::array();
-  for (const PatchMatch& patch : result.patches) patches.push_back(json_of(patch));
-  const bool ok = result.status == RegistrationStatus::kOk;
-  return {{"status", ok ? "ok" : "refused"},
-          {"vision_from_lidar", ok ? matrix_json(result.vision_from_lidar) : Json()},
-          {"covariance", json_of(result.covariance)},
-          {"confidence", result.confidence},
-          {"reason", result.reason},
-          {"patches", patches},
-          {"scores", scores},
-          {"method", result.method},
-          {"candidates", candidates},
-          {"yaw_scores", yaw_scores},
-          {"drift", json_of(result.drift)},
-          {"vision_scale", result.vision_scale},
-          {"vision_scale_sigma", result.vision_scale_sigma},
-          {"vision_scale_supported", result.vision_scale_supported}};
 }
 
 /// A registration that could not even be tried is a refusal too; only a stop is not.
@@ -166,10 +101,40 @@ Expected<void> write_fused(const Workspace& workspace,
   return write_las(workspace.path(workspace_file::kFusedLas), fused, las);
 }
 
+/// The fused frame and what it stands for: the frame of G, with the scale and the vertical of L
+/// where the registration supports them.
+struct FusedFrame {
+  Sim3 rescale = {};  ///< Identity when G keeps its scale.
+  LevelCorrection level = {};
+  Sim3 from_vision = {};
+  Rigid3 from_lidar = {};
+};
+
+Expected<FusedFrame> fused_frame(const RegistrationResult& result,
+                                 const Companions& companions,
+                                 const FusionStageOptions& options,
+                                 const RunContext& ctx) {
+  FusedFrame frame{.rescale = fused_from_vision(result, options.rescale_vision)};
+  if (options.level_vision) {
+    HF_TRY(LevelEvidence evidence, read_level_evidence(companions.covariance, companions.level));
+    // GNSS holds the cameras where the model had them before it was rescaled about L.
+    if (evidence.cameras_middle) {
+      evidence.cameras_middle = frame.rescale * *evidence.cameras_middle;
+    }
+    frame.level = level_correction(result, evidence);
+    if (!frame.level.applied) ctx.info("vertical of the photos kept: " + frame.level.reason);
+  }
+  const Rigid3& level = frame.level.level_from_vision;
+  frame.from_vision =
+      Sim3{.rotation = level.rotation, .translation = level.translation} * frame.rescale;
+  frame.from_lidar = level * result.vision_from_lidar;
+  return frame;
+}
+
 /// What the user reads of an accepted registration, a line each.
 std::vector<std::string> summary_of(const RegistrationResult& result,
                                     const FuseResult& fused,
-                                    bool rescaled,
+                                    const FusedFrame& frame,
                                     double seconds) {
   std::vector<std::string> lines = {
       fmt::format(
@@ -177,12 +142,18 @@ std::vector<std::string> summary_of(const RegistrationResult& result,
       result.vision_scale_supported
           ? fmt::format("photo model scale {:+.3f} % against the LiDAR cloud{}",
                         100.0 * (1.0 / result.vision_scale - 1.0),
-                        rescaled ? ", corrected in the fused cloud" : "")
+                        frame.rescale.scale != 1.0 ? ", corrected in the fused cloud" : "")
           : std::string("photo model scale could not be told from the LiDAR cloud"),
       fmt::format("{} fused points; {} vision and {} LiDAR points were doubles",
                   fused.cloud.size(),
                   fused.vision_dropped,
                   fused.lidar_dropped)};
+  if (frame.level.applied) {
+    lines.push_back(fmt::format(
+        "photo model tilted by {:.3f} deg against gravity in the LiDAR map, levelled in the fused "
+        "cloud",
+        180.0 / std::numbers::pi * frame.level.tilt_rad));
+  }
   if (result.drift.supported) {
     lines.push_back(
         fmt::format("LiDAR cloud bent by up to {:.2f} m along the drive, straightened in the fused "
@@ -193,6 +164,32 @@ std::vector<std::string> summary_of(const RegistrationResult& result,
   }
   if (!result.reason.empty()) lines.push_back(result.reason);
   return lines;
+}
+
+/// Fuses and writes; adds what it did to `json` and to the summary.
+Expected<StageResult> fuse_registered(Project& project,
+                                      const Companions& companions,
+                                      const PointCloud& vision,
+                                      PointCloud lidar,
+                                      const RegistrationInput& known,
+                                      const RegistrationResult& result,
+                                      const RunContext& ctx,
+                                      Json& json) {
+  const FusionStageOptions& options = project.options.fusion;
+  HF_TRY(const FusedFrame frame, fused_frame(result, companions, options, ctx));
+  HF_TRY(lidar, without_drift(std::move(lidar), result.drift, known.sensor_positions, ctx));
+  HF_TRY(const FuseResult fused,
+         fuse_clouds(vision, lidar, frame.from_lidar, frame.from_vision, options.clouds, ctx));
+  if (auto written = write_fused(project.workspace, fused.cloud, companions.origin); !written) {
+    return std::unexpected(written.error());
+  }
+  json["fused_from_vision"] = matrix_json(frame.from_vision);
+  json["fused_from_lidar"] = matrix_json(frame.from_lidar);
+  json["level"] = json_of(frame.level);
+  json["num_fused_points"] = fused.cloud.size();
+  json["num_vision_points_dropped"] = fused.vision_dropped;
+  json["num_lidar_points_dropped"] = fused.lidar_dropped;
+  return StageResult{.summary = summary_of(result, fused, frame, json.value("seconds", 0.0))};
 }
 
 Expected<StageResult> register_into(Project& project,
@@ -219,28 +216,15 @@ Expected<StageResult> register_into(Project& project,
   HF_TRY(const RegistrationResult result,
          registered_or_refused(vision, lidar, known, options, ctx));
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  const Sim3 rescale = fused_from_vision(result, project.options.fusion.rescale_vision);
-  Json json = json_of(result);
+  Json json = registration_json(result);
   json["seconds"] = seconds.count();
   json["coarse_pose"] = coarse.source;
   if (coarse.vision_from_lidar) json["initial"] = matrix_json(*coarse.vision_from_lidar);
-  json["fused_from_vision"] = matrix_json(rescale);
-  StageResult stage{.refused = result.status == RegistrationStatus::kRefused};
-  if (stage.refused) {
-    stage.summary = {"refused: " + result.reason};
-  } else {
-    HF_TRY(lidar, without_drift(std::move(lidar), result.drift, known.sensor_positions, ctx));
+  StageResult stage{.refused = true, .summary = {"refused: " + result.reason}};
+  if (result.status == RegistrationStatus::kOk) {
     HF_TRY(
-        const FuseResult fused,
-        fuse_clouds(
-            vision, lidar, result.vision_from_lidar, rescale, project.options.fusion.clouds, ctx));
-    if (auto written = write_fused(workspace, fused.cloud, companions.origin); !written) {
-      return std::unexpected(written.error());
-    }
-    json["num_fused_points"] = fused.cloud.size();
-    json["num_vision_points_dropped"] = fused.vision_dropped;
-    json["num_lidar_points_dropped"] = fused.lidar_dropped;
-    stage.summary = summary_of(result, fused, rescale.scale != 1.0, seconds.count());
+        stage,
+        fuse_registered(project, companions, vision, std::move(lidar), known, result, ctx, json));
   }
   if (auto made = workspace.make_folder("registration"); !made) {
     return std::unexpected(made.error());
@@ -273,8 +257,12 @@ Expected<StageOutcome> register_stage(Project& project,
       .inputs = {inputs.vision, inputs.lidar},
       .outputs = {
           workspace_file::kRegistration, workspace_file::kFusedPly, workspace_file::kFusedLas}};
-  for (const auto& path :
-       {inputs.initial, companions.trajectory, companions.gnss, companions.origin}) {
+  for (const auto& path : {inputs.initial,
+                           companions.trajectory,
+                           companions.gnss,
+                           companions.level,
+                           companions.origin,
+                           companions.covariance}) {
     if (path) plan.inputs.push_back(*path);
   }
   plan.variant = inputs.near_identity ? "near identity" : "";

@@ -1,6 +1,7 @@
 #include "truth_metrics.hpp"
 
 #include "cloud_truth.hpp"
+#include "truth_json.hpp"
 #include "workspace_data.hpp"
 
 #include <hybridfusion/evaluation/pose_error.hpp>
@@ -10,6 +11,8 @@
 #include <hybridfusion/io/ply.hpp>
 #include <hybridfusion/io/tum.hpp>
 
+#include <cmath>
+#include <numbers>
 #include <optional>
 
 #include <fmt/format.h>
@@ -18,37 +21,6 @@ namespace hybridfusion {
 namespace {
 
 constexpr std::size_t kMaxScenePoints = 200000;
-
-Json json_of(const CameraErrors& errors) {
-  return {{"num_cameras", errors.num_cameras},
-          {"absolute_rmse_m", errors.absolute_rmse_m},
-          {"absolute_horizontal_rmse_m", errors.absolute_horizontal_rmse_m},
-          {"absolute_vertical_rmse_m", errors.absolute_vertical_rmse_m},
-          {"rigid_rmse_m", errors.rigid_rmse_m},
-          {"similarity_rmse_m", errors.similarity_rmse_m},
-          {"scale_error", errors.scale_error},
-          {"tilt_deg", errors.tilt_deg},
-          {"rotation_median_deg", errors.rotation_median_deg},
-          {"rotation_max_deg", errors.rotation_max_deg}};
-}
-
-Json json_of(const RelativeErrors& errors) {
-  return {{"num_pairs", errors.num_pairs},
-          {"translation_rmse_m", errors.translation_rmse_m},
-          {"rotation_rmse_deg", errors.rotation_rmse_deg}};
-}
-
-Json json_of(const TrajectoryErrors& errors) {
-  return {{"num_poses", errors.num_poses},
-          {"path_m", errors.path_m},
-          {"ate_rmse_m", errors.ate_rmse_m},
-          {"ate_max_m", errors.ate_max_m},
-          {"rotation_rmse_deg", errors.rotation_rmse_deg},
-          {"tilt_deg", errors.tilt_deg},
-          {"scale_error", errors.scale_error},
-          {"rpe_1s", json_of(errors.over_1_s)},
-          {"rpe_50m", json_of(errors.over_50_m)}};
-}
 
 /// What the workspace and the truth have in common, gathered step by step.
 class TruthComparison {
@@ -199,6 +171,7 @@ class TruthComparison {
     const auto after =
         registration_truth(places, *truth_from_vision_ * fused_from_vision_->inverse());
     if (after) json["scale_error_after"] = after->scale_error;
+    add_fused_georeference(truth);
     const RegistrationErrors errors = registration_errors(
         truth.vision_from_lidar, registration.vision_from_lidar, truth.centroid_in_lidar);
     metrics_.summary.push_back(fmt::format(
@@ -211,6 +184,27 @@ class TruthComparison {
         truth.floor_rmse_m,
         100.0 * truth.scale_error,
         100.0 * (after ? after->scale_error : truth.scale_error)));
+  }
+
+  /// The same of the fused cloud, whose vertical may be gravity's.
+  void add_fused_georeference(const SceneTruth& truth) {
+    if (!truth_from_vision_absolute_) return;
+    const Eigen::Vector3d in_vision = truth.vision_from_lidar * truth.centroid_in_lidar;
+    const Eigen::Vector3d error = *truth_from_vision_absolute_ * (*fused_from_vision_ * in_vision) -
+                                  *truth_from_vision_ * in_vision;
+    const Sim3 truth_from_fused = *truth_from_vision_ * fused_from_vision_->inverse();
+    const Eigen::Vector3d up = truth_from_fused.rotation.conjugate() *
+                               truth_from_vision_absolute_->rotation * Eigen::Vector3d::UnitZ();
+    const double tilt_deg = 180.0 / std::numbers::pi * std::atan2(up.head<2>().norm(), up.z());
+    metrics_.json["georeference"]["fused"] = {{"horizontal_m", error.head<2>().norm()},
+                                              {"vertical_m", error.z()},
+                                              {"tilt_deg", tilt_deg}};
+    metrics_.summary.push_back(
+        fmt::format("fused cloud: {:.2f} m horizontal and {:+.2f} m vertical from its true place, "
+                    "tilted by {:.3f} deg",
+                    error.head<2>().norm(),
+                    error.z(),
+                    tilt_deg));
   }
 
   /// Where the georeference puts the centre of the scene, against where it is.

@@ -82,7 +82,7 @@ Json registration_json(const StoredRegistration& registration) {
                {"has_initial", registration.initial.has_value()}};
   if (registration.ok) {
     json["before"] = matrix_json(registration.initial.value_or(Rigid3{}));
-    json["after"] = matrix_json(registration.vision_from_lidar);
+    json["after"] = matrix_json(registration.fused_from_lidar);
   }
   return json;
 }
@@ -104,7 +104,7 @@ Expected<ViewScene> view_scene(const std::filesystem::path& root, const RunConte
       has_vision ? root / workspace_file::kDense : std::filesystem::path(),
       has_lidar ? root / workspace_file::kMap : std::filesystem::path(),
       fused_from_vision,
-      registered ? registration->vision_from_lidar : Rigid3{},
+      registered ? registration->fused_from_lidar : Rigid3{},
       ctx);
   Json layers = Json::array();
   const auto add = [&](std::string_view name, std::string_view file, ViewCloud cloud, Json pose) {
@@ -122,7 +122,7 @@ Expected<ViewScene> view_scene(const std::filesystem::path& root, const RunConte
   add("lidar",
       workspace_file::kMap,
       ViewCloud::kLidar,
-      matrix_json(registered ? registration->vision_from_lidar : Rigid3{}));
+      matrix_json(registered ? registration->fused_from_lidar : Rigid3{}));
   if (scene.layers.empty()) {
     return fail(ErrorCode::kNotFound,
                 fmt::format("{}: holds no cloud to show; run hybridfusion run, reconstruct, map or "

@@ -81,6 +81,12 @@ Expected<MapGeoreference> read_map_georeference(const std::filesystem::path& pat
   });
 }
 
+Expected<double> read_map_level(const std::filesystem::path& path) {
+  return parsed(path, [](const Json& json) {
+    return json.at("vertical_sigma_deg").get<double>() * std::numbers::pi / 180.0;
+  });
+}
+
 Expected<StoredRegistration> read_registration(const std::filesystem::path& path) {
   return parsed(path, [](const Json& json) {
     StoredRegistration result{.ok = json.at("status") == "ok"};
@@ -96,6 +102,9 @@ Expected<StoredRegistration> read_registration(const std::filesystem::path& path
     if (json.contains("fused_from_vision")) {
       result.fused_from_vision = sim3_of(matrix_of(json["fused_from_vision"]));
     }
+    result.fused_from_lidar = json.contains("fused_from_lidar")
+                                  ? Rigid3::from_matrix(matrix_of(json["fused_from_lidar"]))
+                                  : result.vision_from_lidar;
     return result;
   });
 }

@@ -24,11 +24,15 @@ struct MapGeoreference {
 };
 [[nodiscard]] Expected<MapGeoreference> read_map_georeference(const std::filesystem::path& path);
 
+/// Standard deviation of the vertical of the LiDAR map in lidar/level.json [rad].
+[[nodiscard]] Expected<double> read_map_level(const std::filesystem::path& path);
+
 /// registration/registration.json as far as other stages need it.
 struct StoredRegistration {
   bool ok = false;
   Rigid3 vision_from_lidar = {};
-  Sim3 fused_from_vision = {};  ///< Identity unless G was rescaled before fusion.
+  Sim3 fused_from_vision = {};   ///< Identity unless G was rescaled or levelled before fusion.
+  Rigid3 fused_from_lidar = {};  ///< vision_from_lidar unless G was levelled.
   std::optional<Rigid3> initial = {};
   double confidence = 0.0;
   double seconds = 0.0;

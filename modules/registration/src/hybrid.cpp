@@ -7,12 +7,15 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include <Eigen/Cholesky>
 #include <fmt/format.h>
 
 namespace hybridfusion {
 namespace {
+
+constexpr std::int64_t kSteps = 4;  // of the progress
 
 /// What the outlines alone are worth (measured: 0.1-0.3 m and 0.3 deg on scenes of 90 m).
 PoseCovariance outline_covariance() {
@@ -38,26 +41,6 @@ double prior_distance(const Rigid3& vision_from_lidar,
     }
   }
   return gap.dot(marginal.ldlt().solve(gap));
-}
-
-/// Where places score alike, those that the coarse pose excludes (beyond 5 sigma) step back.
-/// @returns true when that changed the order.
-bool prefer_by_prior(std::vector<OutlinePlace>& places,
-                     const PreparedClouds& clouds,
-                     const RegistrationInput& input,
-                     double max_peak_ratio) {
-  if (!input.vision_from_lidar_initial || !input.initial_covariance) return false;
-  const auto is_excluded = [&](const OutlinePlace& place) {
-    const double squared = prior_distance(from_leveled(place.vision_from_leveled, clouds),
-                                          *input.vision_from_lidar_initial,
-                                          *input.initial_covariance);
-    return squared > 25.0;
-  };
-  const auto first = std::ranges::find_if_not(places, is_excluded);
-  if (first == places.end() || first->score < max_peak_ratio * places.front().score) return false;
-  const std::size_t before = places.size();
-  std::erase_if(places, is_excluded);
-  return places.size() < before;
 }
 
 /// The fine pose must stay at the place that the outlines found.
@@ -156,19 +139,33 @@ Expected<void> take_votes(FineInputs& inputs,
 
 }  // namespace
 
-Expected<RegistrationResult> register_hybrid(const PreparedClouds& clouds,
-                                             const PointCloud& lidar,
-                                             const RegistrationInput& input,
-                                             const RegistrationOptions& options,
-                                             const RunContext& ctx) {
-  constexpr std::int64_t kSteps = 4;
-  ctx.report({.stage = "registration/outlines", .done = 0, .total = kSteps});
-  HF_TRY(OutlinePlaces found, find_places(clouds, input, options, ctx));
+void prefer_by_prior(const PreparedClouds& clouds,
+                     const RegistrationInput& input,
+                     double max_peak_ratio,
+                     OutlinePlaces& found) {
   std::vector<OutlinePlace>& places = found.places;
-  const bool used_prior = prefer_by_prior(places, clouds, input, options.verdict.max_peak_ratio);
+  if (!input.vision_from_lidar_initial || !input.initial_covariance) return;
+  const auto is_excluded = [&](const OutlinePlace& place) {
+    const double squared = prior_distance(from_leveled(place.vision_from_leveled, clouds),
+                                          *input.vision_from_lidar_initial,
+                                          *input.initial_covariance);
+    return squared > 25.0;
+  };
+  const auto first = std::ranges::find_if_not(places, is_excluded);
+  if (first == places.end() || first->score < max_peak_ratio * places.front().score) return;
+  found.used_prior = std::erase_if(places, is_excluded) > 0;
+}
+
+Expected<RegistrationResult> register_at_places(OutlinePlaces found,
+                                                const PreparedClouds& clouds,
+                                                const PointCloud& lidar,
+                                                const RegistrationInput& input,
+                                                const RegistrationOptions& options,
+                                                const RunContext& ctx) {
+  const std::vector<OutlinePlace>& places = found.places;
   const OutlinePlace& best = places.front();
   Evidence evidence = outline_evidence(places, clouds, options.outline);
-  evidence.used_prior = used_prior;
+  evidence.used_prior = found.used_prior;
 
   RegistrationResult result{.yaw_scores = std::move(found.yaw_scores)};
   for (const OutlinePlace& place : places) {
@@ -209,6 +206,17 @@ Expected<RegistrationResult> register_hybrid(const PreparedClouds& clouds,
   pronounce(evidence, options.verdict, result);
   ctx.report({.stage = "registration/verdict", .done = kSteps, .total = kSteps});
   return result;
+}
+
+Expected<RegistrationResult> register_hybrid(const PreparedClouds& clouds,
+                                             const PointCloud& lidar,
+                                             const RegistrationInput& input,
+                                             const RegistrationOptions& options,
+                                             const RunContext& ctx) {
+  ctx.report({.stage = "registration/outlines", .done = 0, .total = kSteps});
+  HF_TRY(OutlinePlaces found, find_places(clouds, input, options, ctx));
+  prefer_by_prior(clouds, input, options.verdict.max_peak_ratio, found);
+  return register_at_places(std::move(found), clouds, lidar, input, options, ctx);
 }
 
 }  // namespace hybridfusion

@@ -17,15 +17,28 @@ struct OutlinePlace {
 struct OutlinePlaces {
   std::vector<OutlinePlace> places = {};  ///< Descending score.
   std::vector<YawScore> yaw_scores = {};  ///< Of the search, before any refinement.
+  bool used_prior = false;                ///< The coarse pose changed the order of the places.
 };
+
+/// In descending score; of those that climbed to the same place the best.
+[[nodiscard]] std::vector<OutlinePlace> distinct_places(std::vector<OutlinePlace> places,
+                                                        const OutlineOptions& options);
 
 /// Outline search, refinement of each peak, ground alignment and a second refinement with roll and
 /// pitch known.
+/// @param halvings  The exhaustive search runs on maps so many times coarser by two.
 /// @returns kDegenerate when there is no facade or no peak (a reason to refuse), kCancelled.
 [[nodiscard]] Expected<OutlinePlaces> find_places(const PreparedClouds& clouds,
                                                   const RegistrationInput& input,
                                                   const RegistrationOptions& options,
-                                                  const RunContext& ctx);
+                                                  const RunContext& ctx,
+                                                  int halvings = 0);
+
+/// Where places score alike, those that the coarse pose excludes (beyond 5 sigma) step back.
+void prefer_by_prior(const PreparedClouds& clouds,
+                     const RegistrationInput& input,
+                     double max_peak_ratio,
+                     OutlinePlaces& found);
 
 /// Largest score 3 m beside the best place over its own: 1 on a ridge, where one direction is free.
 struct RidgeTest {
@@ -52,6 +65,16 @@ struct DriftFinding {
                                                 const RegistrationOptions& options,
                                                 const RunContext& ctx);
 
+/// Fine alignment at the best of the places, votes and verdict on it against the others.
+/// @param clouds  Its vision half must reach as far about the best place as L does.
+[[nodiscard]] Expected<RegistrationResult> register_at_places(OutlinePlaces found,
+                                                              const PreparedClouds& clouds,
+                                                              const PointCloud& lidar,
+                                                              const RegistrationInput& input,
+                                                              const RegistrationOptions& options,
+                                                              const RunContext& ctx);
+
+/// find_places, prefer_by_prior, register_at_places.
 [[nodiscard]] Expected<RegistrationResult> register_hybrid(const PreparedClouds& clouds,
                                                            const PointCloud& lidar,
                                                            const RegistrationInput& input,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -32,12 +33,34 @@ void level_place(OutlinePlace& place,
   }
 }
 
+/// What the exhaustive search needs, at twice the cell. `coarser` may be `maps`.
+void halve(const VisionMaps& maps, VisionMaps& coarser) {
+  Raster edge = halved(maps.edge);
+  Raster interior = halved(maps.interior);
+  coarser.edge = std::move(edge);
+  coarser.interior = std::move(interior);
+}
+
 }  // namespace
+
+std::vector<OutlinePlace> distinct_places(std::vector<OutlinePlace> places,
+                                          const OutlineOptions& options) {
+  std::ranges::stable_sort(places, std::ranges::greater{}, &OutlinePlace::score);
+  std::vector<OutlinePlace> distinct;
+  for (const OutlinePlace& place : places) {
+    const bool is_new = std::ranges::none_of(distinct, [&](const OutlinePlace& other) {
+      return same_peak(place.planar, other.planar, options);
+    });
+    if (is_new) distinct.push_back(place);
+  }
+  return distinct;
+}
 
 Expected<OutlinePlaces> find_places(const PreparedClouds& clouds,
                                     const RegistrationInput& input,
                                     const RegistrationOptions& options,
-                                    const RunContext& ctx) {
+                                    const RunContext& ctx,
+                                    int halvings) {
   const PlanarPattern pattern = make_pattern(clouds.lidar_maps, Eigen::Matrix3d::Identity());
   if (pattern.facades.empty()) {
     return fail(ErrorCode::kDegenerate,
@@ -49,8 +72,10 @@ Expected<OutlinePlaces> find_places(const PreparedClouds& clouds,
     window.position = coarse.position;
     window.max_offset_m = options.max_offset_m;
   }
-  HF_TRY(const OutlineSearch search,
-         search_outlines(clouds.search_maps, pattern, window, options.outline, ctx));
+  VisionMaps coarser;
+  for (int k = 0; k < halvings; ++k) halve(k == 0 ? clouds.search_maps : coarser, coarser);
+  const VisionMaps& maps = halvings > 0 ? coarser : clouds.search_maps;
+  HF_TRY(const OutlineSearch search, search_outlines(maps, pattern, window, options.outline, ctx));
   if (search.peaks.empty()) {
     return fail(ErrorCode::kDegenerate,
                 "no position inside the search window brings a facade onto a roof rim; the clouds "
@@ -60,8 +85,12 @@ Expected<OutlinePlaces> find_places(const PreparedClouds& clouds,
   for (PlanarPose peak : search.peaks) {
     peak.overhang_m = 0.25;
     OutlinePlace place;
-    place.planar =
-        refine_pose(clouds.maps, pattern, peak, options.outline.search_cell_m, options.outline);
+    const OutlineOptions& outline = options.outline;
+    if (halvings > 0) {
+      // From a coarse raster the fine rims, blurred by half a metre, are out of reach.
+      peak = refine_pose(clouds.search_maps, pattern, peak, maps.edge.grid.cell_m, outline);
+    }
+    place.planar = refine_pose(clouds.maps, pattern, peak, outline.search_cell_m, outline);
     const double height_m =
         clouds.vision_ground.height_at(place.planar.position.x(), place.planar.position.y()) -
         clouds.lidar_ground.height_at(pattern.centre.x(), pattern.centre.y());
@@ -72,17 +101,8 @@ Expected<OutlinePlaces> find_places(const PreparedClouds& clouds,
         clouds.maps, clouds.lidar_maps, place.vision_from_leveled, place.planar.overhang_m);
     places.push_back(place);
   }
-  std::ranges::stable_sort(places, std::ranges::greater{}, &OutlinePlace::score);
-  // Peaks that were apart may climb to the same place: keep its best.
-  OutlinePlaces found{.yaw_scores = search.yaw_scores};
-  std::vector<OutlinePlace>& distinct = found.places;
-  for (const OutlinePlace& place : places) {
-    const bool is_new = std::ranges::none_of(distinct, [&](const OutlinePlace& other) {
-      return same_peak(place.planar, other.planar, options.outline);
-    });
-    if (is_new) distinct.push_back(place);
-  }
-  return found;
+  return OutlinePlaces{.places = distinct_places(std::move(places), options.outline),
+                       .yaw_scores = search.yaw_scores};
 }
 
 RidgeTest test_ridge(const PreparedClouds& clouds,

@@ -15,21 +15,6 @@ namespace {
 
 constexpr std::size_t kMinPoints = 1000;
 
-Expected<void> check_usable(const PointCloud& cloud, std::string_view name) {
-  if (const auto valid = validate(cloud); !valid) {
-    return std::unexpected(Error(valid.error()).with_context(fmt::format("{} cloud", name)));
-  }
-  const auto finite = static_cast<std::size_t>(
-      std::ranges::count_if(cloud.points, [](const Eigen::Vector3f& p) { return p.allFinite(); }));
-  if (finite < kMinPoints) {
-    return fail(
-        ErrorCode::kInsufficient,
-        fmt::format(
-            "the {} cloud has {} finite points, at least {} are needed", name, finite, kMinPoints));
-  }
-  return {};
-}
-
 /// LiDAR points near a sensor position (all, when none is given), turned by `leveled_from_lidar`.
 PointCloud leveled_cloud(const PointCloud& lidar,
                          const RegistrationInput& input,
@@ -59,27 +44,6 @@ PointCloud leveled_cloud(const PointCloud& lidar,
 
 /// Largest raster at OutlineOptions::refine_cell_m: 7.5 km2 at 0.5 m, about 0.6 GB.
 constexpr double kMaxCells = 3e7;
-
-/// Vision points that the search window can bring L to; all, when no coarse pose limits it. Memory
-/// and time then follow the size of L, not that of the flight.
-std::vector<Eigen::Vector3f> reachable_vision(const PointCloud& vision,
-                                              std::span<const Eigen::Vector3f> leveled_lidar,
-                                              const PreparedClouds& clouds,
-                                              const RegistrationInput& input,
-                                              double max_offset_m) {
-  constexpr double kMargin_m = 20.0;
-  if (!input.vision_from_lidar_initial) return vision.points;
-  const Box2 box = percentile_box(leveled_lidar, 0.003);
-  // L may turn about the middle of its facades, which lies anywhere inside its box.
-  const double reach_m = 2.0 * (box.high - box.low).norm() + max_offset_m + kMargin_m;
-  const Eigen::Vector2d middle =
-      (clouds.vision_from_leveled_initial * clouds.lidar_centroid).head<2>();
-  std::vector<Eigen::Vector3f> kept;
-  for (const Eigen::Vector3f& p : vision.points) {
-    if ((p.head<2>().cast<double>() - middle).squaredNorm() < reach_m * reach_m) kept.push_back(p);
-  }
-  return kept;
-}
 
 /// @returns kInsufficient when the rasters of a cloud would not fit in memory.
 Expected<void> check_extent(std::span<const Eigen::Vector3f> points,
@@ -112,14 +76,42 @@ Expected<GroundModel> ground_of(std::span<const Eigen::Vector3f> points,
 
 }  // namespace
 
-Expected<PreparedClouds> prepare_clouds(const PointCloud& vision,
-                                        const PointCloud& lidar,
-                                        const RegistrationInput& input,
-                                        const RegistrationOptions& options,
-                                        const RunContext& ctx) {
-  if (const auto usable = check_usable(vision, "vision"); !usable) {
-    return std::unexpected(usable.error());
+Expected<void> check_usable(const PointCloud& cloud, std::string_view name) {
+  if (const auto valid = validate(cloud); !valid) {
+    return std::unexpected(Error(valid.error()).with_context(fmt::format("{} cloud", name)));
   }
+  const auto finite = static_cast<std::size_t>(
+      std::ranges::count_if(cloud.points, [](const Eigen::Vector3f& p) { return p.allFinite(); }));
+  if (finite < kMinPoints) {
+    return fail(
+        ErrorCode::kInsufficient,
+        fmt::format(
+            "the {} cloud has {} finite points, at least {} are needed", name, finite, kMinPoints));
+  }
+  return {};
+}
+
+std::vector<Eigen::Vector3f> reachable_vision(const PointCloud& vision,
+                                              const PreparedClouds& clouds,
+                                              const RegistrationInput& input,
+                                              double max_offset_m) {
+  constexpr double kMargin_m = 20.0;
+  if (!input.vision_from_lidar_initial) return vision.points;
+  // L may turn about the middle of its facades, which lies anywhere inside its box.
+  const double reach_m = 2.0 * clouds.lidar_diagonal_m + max_offset_m + kMargin_m;
+  const Eigen::Vector2d middle =
+      (clouds.vision_from_leveled_initial * clouds.lidar_centroid).head<2>();
+  std::vector<Eigen::Vector3f> kept;
+  for (const Eigen::Vector3f& p : vision.points) {
+    if ((p.head<2>().cast<double>() - middle).squaredNorm() < reach_m * reach_m) kept.push_back(p);
+  }
+  return kept;
+}
+
+Expected<PreparedClouds> prepare_lidar(const PointCloud& lidar,
+                                       const RegistrationInput& input,
+                                       const RegistrationOptions& options,
+                                       const RunContext& ctx) {
   if (const auto usable = check_usable(lidar, "LiDAR"); !usable) {
     return std::unexpected(usable.error());
   }
@@ -130,7 +122,6 @@ Expected<PreparedClouds> prepare_clouds(const PointCloud& vision,
   clouds.vision_from_leveled_initial.rotation =
       Eigen::AngleAxisd(yaw_rad, Eigen::Vector3d::UnitZ());
   clouds.vision_from_leveled_initial.translation = initial.translation;
-
   const PointCloud leveled =
       leveled_cloud(lidar, input, clouds.leveled_from_lidar, options.max_range_m);
   if (leveled.size() < kMinPoints) {
@@ -143,12 +134,23 @@ Expected<PreparedClouds> prepare_clouds(const PointCloud& vision,
   }
   for (const Eigen::Vector3f& p : leveled.points) clouds.lidar_centroid += p.cast<double>();
   clouds.lidar_centroid /= static_cast<double>(leveled.size());
+  const Box2 box = percentile_box(leveled.points, 0.003);
+  clouds.lidar_diagonal_m = (box.high - box.low).norm();
   clouds.lidar = voxel_mean(leveled, options.voxel_m).points;
-  clouds.vision =
-      voxel_mean(
-          {.points = reachable_vision(vision, leveled.points, clouds, input, options.max_offset_m)},
-          options.voxel_m)
-          .points;
+  if (auto fits = check_extent(clouds.lidar, options.outline, "LiDAR"); !fits) {
+    return std::unexpected(fits.error());
+  }
+  HF_TRY(clouds.lidar_ground, ground_of(clouds.lidar, options.ground, "LiDAR"));
+  const std::vector<float> heights = heights_above(clouds.lidar_ground, clouds.lidar, ctx);
+  clouds.lidar_maps = make_lidar_maps(clouds.lidar, heights, options.outline);
+  return clouds;
+}
+
+Expected<void> prepare_vision(std::vector<Eigen::Vector3f> points,
+                              const RegistrationOptions& options,
+                              const RunContext& ctx,
+                              PreparedClouds& clouds) {
+  clouds.vision = voxel_mean({.points = std::move(points)}, options.voxel_m).points;
   if (clouds.vision.size() < kMinPoints) {
     return fail(ErrorCode::kDegenerate,
                 fmt::format("{} vision points lie within reach of the coarse pose: it is wrong by "
@@ -156,24 +158,31 @@ Expected<PreparedClouds> prepare_clouds(const PointCloud& vision,
                             clouds.vision.size(),
                             options.max_offset_m));
   }
-  for (const auto& [points, name] :
-       {std::pair{&clouds.vision, "vision"}, {&clouds.lidar, "LiDAR"}}) {
-    if (auto fits = check_extent(*points, options.outline, name); !fits) {
-      return std::unexpected(fits.error());
-    }
-  }
+  if (auto fits = check_extent(clouds.vision, options.outline, "vision"); !fits) return fits;
   if (ctx.stopped()) return fail(ErrorCode::kCancelled, "stopped while thinning the clouds");
-
   HF_TRY(clouds.vision_ground, ground_of(clouds.vision, options.ground, "vision"));
-  HF_TRY(clouds.lidar_ground, ground_of(clouds.lidar, options.ground, "LiDAR"));
-  const std::vector<float> vision_heights = heights_above(clouds.vision_ground, clouds.vision, ctx);
-  const std::vector<float> lidar_heights = heights_above(clouds.lidar_ground, clouds.lidar, ctx);
+  const std::vector<float> heights = heights_above(clouds.vision_ground, clouds.vision, ctx);
   const OutlineOptions& outline = options.outline;
   clouds.search_maps = make_vision_maps(
-      clouds.vision, vision_heights, outline.search_cell_m, outline.search_blur_m, outline);
+      clouds.vision, heights, outline.search_cell_m, outline.search_blur_m, outline);
   clouds.maps = make_vision_maps(
-      clouds.vision, vision_heights, outline.refine_cell_m, outline.refine_blur_m, outline);
-  clouds.lidar_maps = make_lidar_maps(clouds.lidar, lidar_heights, outline);
+      clouds.vision, heights, outline.refine_cell_m, outline.refine_blur_m, outline);
+  return {};
+}
+
+Expected<PreparedClouds> prepare_clouds(const PointCloud& vision,
+                                        const PointCloud& lidar,
+                                        const RegistrationInput& input,
+                                        const RegistrationOptions& options,
+                                        const RunContext& ctx) {
+  if (const auto usable = check_usable(vision, "vision"); !usable) {
+    return std::unexpected(usable.error());
+  }
+  HF_TRY(PreparedClouds clouds, prepare_lidar(lidar, input, options, ctx));
+  auto within_reach = reachable_vision(vision, clouds, input, options.max_offset_m);
+  if (auto prepared = prepare_vision(std::move(within_reach), options, ctx, clouds); !prepared) {
+    return std::unexpected(prepared.error());
+  }
   return clouds;
 }
 

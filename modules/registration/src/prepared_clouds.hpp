@@ -4,6 +4,7 @@
 
 #include <hybridfusion/registration/register_cross_source.hpp>
 
+#include <string_view>
 #include <vector>
 
 namespace hybridfusion {
@@ -21,9 +22,36 @@ struct PreparedClouds {
   LidarMaps lidar_maps = {};
   Eigen::Quaterniond leveled_from_lidar = Eigen::Quaterniond::Identity();
   Rigid3 vision_from_leveled_initial = {};  ///< Heading and translation only.
+  double lidar_diagonal_m = 0.0;            ///< Of the LiDAR cloud's box in plan.
 };
 
-/// @returns kInsufficient when a cloud is unusable, kDegenerate when one has no ground surface.
+/// The LiDAR half: everything but `vision`, its ground and its maps.
+/// @returns kInsufficient when the cloud is unusable, kDegenerate when it has no ground surface.
+[[nodiscard]] Expected<PreparedClouds> prepare_lidar(const PointCloud& lidar,
+                                                     const RegistrationInput& input,
+                                                     const RegistrationOptions& options,
+                                                     const RunContext& ctx);
+
+/// The vision half, from some points of the vision cloud.
+/// @returns kDegenerate when they are too few or have no ground surface; kInsufficient when their
+/// rasters would not fit in memory.
+[[nodiscard]] Expected<void> prepare_vision(std::vector<Eigen::Vector3f> points,
+                                            const RegistrationOptions& options,
+                                            const RunContext& ctx,
+                                            PreparedClouds& clouds);
+
+/// Vision points that the search window can bring L to; all, when no coarse pose limits it. Memory
+/// and time then follow the size of L, not that of the flight.
+/// @param clouds  The LiDAR half.
+[[nodiscard]] std::vector<Eigen::Vector3f> reachable_vision(const PointCloud& vision,
+                                                            const PreparedClouds& clouds,
+                                                            const RegistrationInput& input,
+                                                            double max_offset_m);
+
+/// @returns kInsufficient for inconsistent channels or fewer than 1000 finite points.
+[[nodiscard]] Expected<void> check_usable(const PointCloud& cloud, std::string_view name);
+
+/// Both halves, of the vision points within reach. Errors as of these.
 [[nodiscard]] Expected<PreparedClouds> prepare_clouds(const PointCloud& vision,
                                                       const PointCloud& lidar,
                                                       const RegistrationInput& input,

@@ -54,6 +54,20 @@ void fill_small_holes(Raster& raster, int min_known, int rounds) {
   }
 }
 
+Raster halved(const Raster& raster) {
+  Raster result{.grid = {.origin = raster.grid.origin,
+                         .cell_m = 2.0 * raster.grid.cell_m,
+                         .width = (raster.grid.width + 1) / 2,
+                         .height = (raster.grid.height + 1) / 2}};
+  result.values.assign(result.grid.size(), 0.0F);
+  for (int y = 0; y < raster.grid.height; ++y) {
+    for (int x = 0; x < raster.grid.width; ++x) {
+      result.values[result.grid.index(x / 2, y / 2)] += 0.25F * raster.at(x, y);
+    }
+  }
+  return result;
+}
+
 void blur(Raster& raster, double sigma_m) {
   const double sigma = sigma_m / raster.grid.cell_m;
   const int reach = std::max(1, static_cast<int>(std::ceil(3.0 * sigma)));

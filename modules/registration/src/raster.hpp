@@ -82,6 +82,10 @@ struct CellMembers {
 /// these; `rounds` times.
 void fill_small_holes(Raster& raster, int min_known, int rounds);
 
+/// The raster at twice the cell: means of 2 x 2 cells, cells beyond the edge counting as 0.
+/// @pre no unknown values
+[[nodiscard]] Raster halved(const Raster& raster);
+
 /// Gaussian blur, zero outside. @pre no unknown values
 void blur(Raster& raster, double sigma_m);
 

@@ -1,13 +1,45 @@
 #include "baselines.hpp"
 #include "hybrid.hpp"
 #include "paper/paper_method.hpp"
+#include "tiled_search.hpp"
 
 #include <hybridfusion/registration/register_cross_source.hpp>
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 namespace hybridfusion {
+
+namespace {
+
+/// At once, or by tiles where the vision cloud within reach is large.
+Expected<RegistrationResult> run_hybrid(const PointCloud& vision,
+                                        const PointCloud& lidar,
+                                        const RegistrationInput& input,
+                                        const RegistrationOptions& options,
+                                        const RunContext& ctx) {
+  if (const auto usable = check_usable(vision, "vision"); !usable) {
+    return std::unexpected(usable.error());
+  }
+  HF_TRY(PreparedClouds clouds, prepare_lidar(lidar, input, options, ctx));
+  std::vector<Eigen::Vector3f> kept;
+  std::span<const Eigen::Vector3f> within_reach = vision.points;
+  if (input.vision_from_lidar_initial) {
+    kept = reachable_vision(vision, clouds, input, options.max_offset_m);
+    within_reach = kept;
+  }
+  if (needs_tiles(within_reach, options.outline)) {
+    return register_in_tiles(within_reach, std::move(clouds), lidar, input, options, ctx);
+  }
+  if (kept.empty()) kept.assign(within_reach.begin(), within_reach.end());
+  if (auto prepared = prepare_vision(std::move(kept), options, ctx, clouds); !prepared) {
+    return std::unexpected(prepared.error());
+  }
+  return register_hybrid(clouds, lidar, input, options, ctx);
+}
+
+}  // namespace
 
 std::string_view to_string(RegistrationStatus status) {
   return status == RegistrationStatus::kOk ? "ok" : "refused";
@@ -36,11 +68,11 @@ Expected<RegistrationResult> register_cross_source(const PointCloud& vision,
     return std::unexpected(valid.error());
   }
   const auto run = [&]() -> Expected<RegistrationResult> {
+    if (options.method == "hybrid") return run_hybrid(vision, lidar, input, options, ctx);
     HF_TRY(const PreparedClouds clouds, prepare_clouds(vision, lidar, input, options, ctx));
     if (options.method == "gicp") return register_gicp(clouds, ctx);
     if (options.method == "ndt") return register_ndt(clouds, options.ndt, ctx);
-    if (options.method == "paper") return register_paper(clouds, options, ctx);
-    return register_hybrid(clouds, lidar, input, options, ctx);
+    return register_paper(clouds, options, ctx);
   };
   Expected<RegistrationResult> result = run();
   if (!result && result.error().code == ErrorCode::kDegenerate) {

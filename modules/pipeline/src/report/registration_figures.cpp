@@ -75,6 +75,14 @@ Figure transform_figure(const ReportData& data) {
                          100.0 * (1.0 / json.value("vision_scale", 1.0) - 1.0),
                          100.0 * json.value("vision_scale_sigma", 0.0))
            : std::string("could not be told from the LiDAR cloud"));
+  if (json.contains("level")) {
+    const Json& level = json["level"];
+    fact("tilt of the photo model",
+         level.value("corrected", false)
+             ? fmt::format("{:.3f}° against gravity in the LiDAR map, levelled in the fused cloud",
+                           level.value("tilt_deg", 0.0))
+             : "kept: " + level.value("reason", std::string()));
+  }
   body += "</table>\n";
   return {.id = "transform",
           .title = "Transform, covariance and confidence",

@@ -78,7 +78,7 @@ Expected<std::vector<QualityRow>> read_quality_csv(const std::filesystem::path& 
 }
 
 Rigid3 ReportData::shown_from_lidar() const {
-  return registered() ? pose->vision_from_lidar : Rigid3{};
+  return registered() ? pose->fused_from_lidar : Rigid3{};
 }
 
 ReportData read_report_data(const Workspace& workspace, const RunContext& ctx) {

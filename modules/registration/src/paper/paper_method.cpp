@@ -31,6 +31,7 @@ Expected<RegistrationResult> register_paper(const PreparedClouds& clouds,
   result.patches = std::move(chain.patches);
   for (PatchMatch& match : result.patches) {
     match.vision_from_lidar = from_leveled(match.vision_from_lidar, clouds);
+    match.vision_from_lidar_2d = from_leveled(match.vision_from_lidar_2d, clouds);
   }
   return result;
 }

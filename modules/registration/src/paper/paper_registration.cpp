@@ -1,5 +1,4 @@
-#include "isolated_points.hpp"
-#include "patch_registration.hpp"
+#include "described_pair.hpp"
 #include "patch_voting.hpp"
 
 #include <hybridfusion/core/parallel.hpp>
@@ -11,41 +10,6 @@
 
 namespace hybridfusion {
 namespace {
-
-/// A cloud of its own without isolated points, in vision.
-struct CleanCloud {
-  std::vector<Eigen::Vector3f> points = {};
-  std::vector<float> heights = {};
-};
-
-CleanCloud cleaned(const GroundedCloud& cloud,
-                   const Rigid3& vision_from_cloud,
-                   const PaperOptions& options) {
-  CleanCloud clean;
-  for (const std::uint32_t i :
-       supported_points(cloud.points, options.isolation_cell_m, options.min_supporting_points)) {
-    clean.points.emplace_back((vision_from_cloud * cloud.points[i].cast<double>()).cast<float>());
-    clean.heights.push_back(cloud.heights[i]);
-  }
-  return clean;
-}
-
-Expected<PatchedCloud> cut_into_patches(const CleanCloud& clean,
-                                        double step_m,
-                                        const Eigen::Vector2d& shift,
-                                        const PaperOptions& options,
-                                        const RunContext& ctx) {
-  PatchedCloud cloud{.points = clean.points, .heights = clean.heights};
-  HF_TRY(cloud.grid, grid_into_patches(cloud.points, step_m, options.cut_share, shift));
-  HF_TRY(cloud.signatures, describe_patches(cloud.points, cloud.heights, cloud.grid, options, ctx));
-  return cloud;
-}
-
-/// Origins of the LiDAR grids, in steps.
-std::vector<Eigen::Vector2d> grid_shifts(const PaperOptions& options) {
-  if (!changes_of(options).half_step_patches) return {Eigen::Vector2d::Zero()};
-  return {{0.0, 0.0}, {0.5, 0.0}, {0.0, 0.5}, {0.5, 0.5}};
-}
 
 /// A LiDAR patch with more than eta points and its candidates.
 struct SelectedPatch {
@@ -186,22 +150,10 @@ Expected<PaperResult> register_by_patches(const GroundedCloud& vision,
   if (vision.points.empty() || lidar.points.empty()) {
     return fail(ErrorCode::kInsufficient, "a cloud without points cannot be registered");
   }
-  const CleanCloud clean_vision = cleaned(vision, Rigid3{}, options);
-  const CleanCloud clean_lidar = cleaned(lidar, vision_from_lidar_coarse, options);
-  const double step_m =
-      scene_size_m(clean_vision.points, options.cut_share) / options.grid_divisions;  // III-C.1
-  if (!(step_m > 0.0)) {
-    return fail(ErrorCode::kDegenerate, "the vision cloud has no extent in x and y");
-  }
-  ctx.report({.stage = "registration/paper/describe", .total = 2});
-  HF_TRY(const PatchedCloud g,
-         cut_into_patches(clean_vision, step_m, Eigen::Vector2d::Zero(), options, ctx));
-  ctx.report({.stage = "registration/paper/describe", .done = 1, .total = 2});
-  std::vector<PatchedCloud> grids;  // of the LiDAR cloud
-  for (const Eigen::Vector2d& shift : grid_shifts(options)) {
-    HF_TRY(PatchedCloud cut, cut_into_patches(clean_lidar, step_m, shift, options, ctx));
-    grids.push_back(std::move(cut));
-  }
+  HF_TRY(const DescribedPair pair,
+         describe_pair(vision, lidar, vision_from_lidar_coarse, options, ctx));
+  const PatchedCloud& g = pair.vision;
+  const std::vector<PatchedCloud>& grids = pair.lidar;
 
   PaperResult result{.vision_from_lidar = vision_from_lidar_coarse};
   const std::vector<SelectedPatch> selected =

@@ -209,6 +209,7 @@ void register_patch(std::size_t patch,
   const auto target =
       points_at(vision.points, splice_neighbours(vision.grid, best->candidate.vision_patch));
   const Rigid3 planar = lifted(best->match.target_from_source);
+  match.vision_from_lidar_2d = planar * match.vision_from_lidar;
   const auto spatial =
       refine_ndt_3d(target, source, planar, kPatchSamples, ndt, {.num_threads = 1});
   if (!spatial) return;

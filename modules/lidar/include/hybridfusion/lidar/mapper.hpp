@@ -34,6 +34,7 @@ struct MappingResult {
   double refine_rms_before_m = 0.0;  ///< Of points about common planes.
   double refine_rms_after_m = 0.0;
   double level_correction_rad = 0.0;  ///< Turn that made the first level estimate final.
+  double level_sigma_rad = 0.0;       ///< Formal deviation of the map's vertical; 0: not known.
   /// Longest time without a scan that was located by its points: the IMU alone went on.
   double longest_blind_s = 0.0;
   /// `longest_blind_s` is within OdometryOptions::max_blind_s; else what follows hangs on a guess.

@@ -48,6 +48,7 @@ struct OptionFields<LidarStageOptions> {
 /// Merging the registered clouds.
 struct FusionStageOptions {
   bool rescale_vision = true;
+  bool level_vision = true;
   FuseOptions clouds = {};
 };
 template <>
@@ -58,6 +59,12 @@ struct OptionFields<FusionStageOptions> {
             {.key = "rescale_vision",
              .doc = "Correct the scale of the vision cloud to that of the LiDAR cloud in the fused "
                     "cloud when the registration supports it; vision/dense.ply stays as it is.",
+             .source = "ours"}},
+      Field{&T::level_vision,
+            {.key = "level_vision",
+             .doc = "Take the vertical of the fused cloud from gravity in the LiDAR map, not from "
+                    "the GNSS heights of the photos, when it is the better known; vision/ stays as "
+                    "it is.",
              .source = "ours"}},
       Field{&T::clouds, {.key = "clouds", .doc = "How doubles are dropped."}},
   };

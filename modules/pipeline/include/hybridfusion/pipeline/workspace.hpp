@@ -55,6 +55,7 @@ inline constexpr std::string_view kTrajectory = "lidar/trajectory.tum";
 inline constexpr std::string_view kMap = "lidar/map.ply";
 inline constexpr std::string_view kQuality = "lidar/quality.csv";
 inline constexpr std::string_view kGnss = "lidar/gnss.json";
+inline constexpr std::string_view kLevel = "lidar/level.json";
 inline constexpr std::string_view kCalibratedSensors = "lidar/sensors.yaml";
 inline constexpr std::string_view kRegistration = "registration/registration.json";
 inline constexpr std::string_view kFusedPly = "fused/fused.ply";

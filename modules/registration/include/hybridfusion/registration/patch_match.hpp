@@ -33,8 +33,9 @@ struct PatchMatch {
   Eigen::Vector2i vision_cell = Eigen::Vector2i::Constant(-1);  ///< Best candidate; -1 without one.
   double correlation = 0.0;                                     ///< Pearson, of the best candidate.
   double neighbour_score = 0.0;                                 ///< Of the best candidate.
-  double score_2d_m = 0.0;        ///< Mean distance of the boundaries after the 2D NDT.
-  double score_3d_m = 0.0;        ///< Median distance to the candidate after the 3D NDT.
+  double score_2d_m = 0.0;           ///< Mean distance of the boundaries after the 2D NDT.
+  double score_3d_m = 0.0;           ///< Median distance to the candidate after the 3D NDT.
+  Rigid3 vision_from_lidar_2d = {};  ///< After the 2D NDT; identity where it was not reached.
   Rigid3 vision_from_lidar = {};  ///< T_patch times the coarse pose; the coarse pose without one.
 };
 
