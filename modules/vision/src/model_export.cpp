@@ -26,7 +26,23 @@ Rgb8 mean_color(const Track& track, std::span<const FeatureSet> features) {
   return color;
 }
 
-/// Fills points and observations; returns the errors of all observations [px, reduced photo].
+void add_quality_warnings(const Reconstruction& result, std::vector<std::string>& warnings) {
+  const auto registered = std::ranges::count_if(
+      result.views, [](const View& view) { return view.enu_from_camera.has_value(); });
+  if (static_cast<std::size_t>(registered) < result.views.size()) {
+    warnings.push_back(
+        fmt::format("{} of {} photos are registered", registered, result.views.size()));
+  }
+  const double change = result.cameras.front().focal_px / result.quality.initial_focal_px - 1.0;
+  constexpr double kMaxFocalChange = 0.1;
+  if (std::abs(change) > kMaxFocalChange) {
+    warnings.push_back(
+        fmt::format("the estimated focal length is {:.1f} % off the metadata's", 100.0 * change));
+  }
+}
+
+}  // namespace
+
 std::vector<double> export_points(const SfmModel& model,
                                   std::span<const FeatureSet> features,
                                   Reconstruction& out) {
@@ -51,23 +67,6 @@ std::vector<double> export_points(const SfmModel& model,
   }
   return errors;
 }
-
-void add_quality_warnings(const Reconstruction& result, std::vector<std::string>& warnings) {
-  const auto registered = std::ranges::count_if(
-      result.views, [](const View& view) { return view.enu_from_camera.has_value(); });
-  if (static_cast<std::size_t>(registered) < result.views.size()) {
-    warnings.push_back(
-        fmt::format("{} of {} photos are registered", registered, result.views.size()));
-  }
-  const double change = result.cameras.front().focal_px / result.quality.initial_focal_px - 1.0;
-  constexpr double kMaxFocalChange = 0.1;
-  if (std::abs(change) > kMaxFocalChange) {
-    warnings.push_back(
-        fmt::format("the estimated focal length is {:.1f} % off the metadata's", 100.0 * change));
-  }
-}
-
-}  // namespace
 
 Reconstruction export_model(const Fragments& mapped,
                             const GnssTerms& terms,
