@@ -30,6 +30,12 @@ double seconds_between(Clock::time_point from, Clock::time_point to) {
   return std::chrono::duration<double>(to - from).count();
 }
 
+/// Each photo has the same steps: their bars would say nothing of the flight.
+RunContext without_progress(RunContext ctx) {
+  ctx.progress = {};
+  return ctx;
+}
+
 /// A photo whose features are being extracted while others are worked off.
 struct Pending {
   PhotoArrival arrival = {};
@@ -41,7 +47,7 @@ class Watch {
   Watch(Project& project, const WatchRequest& request, const RunContext& ctx)
       : project_(project),
         request_(request),
-        ctx_(ctx),
+        ctx_(without_progress(ctx)),
         cache_(open_photo_cache(project.workspace, ctx)),
         stream_({.reconstruction = project.options.vision.reconstruction,
                  .densify = project.options.vision.densify,
@@ -61,7 +67,7 @@ class Watch {
 
   Project& project_;
   const WatchRequest& request_;
-  const RunContext& ctx_;
+  const RunContext ctx_;
   const StageMeter meter_ = {};
   const Clock::time_point start_ = Clock::now();
   PhotoCache cache_;
@@ -136,6 +142,8 @@ Expected<void> Watch::record(const PhotoArrival& arrival, WatchedPhoto photo) {
     photo.reason = of_name->reason;
   }
   photo.arrived_s = seconds_between(start_, arrival.seen);
+  // One that was given up before, and came whole later, counts once.
+  std::erase_if(photos_, [&](const WatchedPhoto& former) { return former.name == photo.name; });
   photo.total_photos = photos_.size() + 1;
   photo.total_registered = static_cast<std::size_t>(std::ranges::count_if(
       live, [](const LivePhoto& p) { return p.enu_from_camera.has_value(); }));

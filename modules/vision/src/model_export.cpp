@@ -44,10 +44,11 @@ void add_quality_warnings(const Reconstruction& result, std::vector<std::string>
 }  // namespace
 
 std::vector<double> export_points(const SfmModel& model,
+                                  std::span<const std::uint32_t> tracks,
                                   std::span<const FeatureSet> features,
                                   Reconstruction& out) {
   std::vector<double> errors;
-  for (std::size_t t = 0; t < model.tracks.size(); ++t) {
+  for (const std::uint32_t t : tracks) {
     if (!model.points[t]) continue;
     ScenePoint point{.point_in_enu = *model.points[t],
                      .color = mean_color(model.tracks[t], features)};
@@ -93,7 +94,9 @@ Reconstruction export_model(const Fragments& mapped,
   for (const GnssObservation& o : terms.observations) {
     result.views[o.view].gnss_sigma_m = o.sigma_m;
   }
-  std::vector<double> errors = export_points(model, stage.features, result);
+  std::vector<std::uint32_t> tracks(model.tracks.size());
+  std::iota(tracks.begin(), tracks.end(), 0U);
+  std::vector<double> errors = export_points(model, tracks, stage.features, result);
   if (!errors.empty()) {
     result.quality.mean_reprojection_px =
         std::accumulate(errors.begin(), errors.end(), 0.0) / static_cast<double>(errors.size());

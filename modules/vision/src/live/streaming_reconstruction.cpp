@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <deque>
 #include <exception>
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
@@ -37,9 +38,16 @@ std::shared_ptr<const Image8> reduced_copy(const Image8& photo, int max_size_px)
   return std::make_shared<const Image8>(std::move(copy));
 }
 
-/// What the depth stage needs of the model.
-Reconstruction sparse_part(const LiveModel& live) {
+/// What the depth stage needs of the model: all poses, and the points that these views see.
+Reconstruction sparse_part(const LiveModel& live, std::span<const std::uint32_t> views) {
   const SfmModel& model = live.model();
+  std::vector<std::uint32_t> tracks;
+  for (const std::uint32_t view : views) {
+    for (const TrackReference& seen : model.tracks_of_view[view]) tracks.push_back(seen.track);
+  }
+  std::ranges::sort(tracks);
+  const auto twice = std::ranges::unique(tracks);
+  tracks.erase(twice.begin(), twice.end());
   Reconstruction result{.origin = live.origin(), .cameras = model.cameras};
   result.views.resize(live.photos().size());
   for (std::uint32_t v = 0; v < result.views.size(); ++v) {
@@ -47,7 +55,7 @@ Reconstruction sparse_part(const LiveModel& live) {
     result.views[v].camera = model.camera_of_view[v];
     result.views[v].enu_from_camera = model.world_from_view[v];
   }
-  export_points(model, live.features(), result);
+  export_points(model, tracks, live.features(), result);
   return result;
 }
 
@@ -89,11 +97,14 @@ void StreamingReconstruction::State::grow_preview(const LiveModel::Step& step,
   without_depth.insert(without_depth.end(), step.registered.begin(), step.registered.end());
   if (step.moved) move_preview(step.scale);
   if (without_depth.empty()) return;
-  const Reconstruction reconstruction = sparse_part(model);
-  const std::size_t count = std::min(kDepthsPerPhoto, without_depth.size());
-  for (std::size_t k = 0; k < count && !ctx.stopped(); ++k) {
-    const std::uint32_t view = without_depth.front();
+  std::vector<std::uint32_t> views;
+  while (!without_depth.empty() && views.size() < kDepthsPerPhoto) {
+    views.push_back(without_depth.front());
     without_depth.pop_front();
+  }
+  const Reconstruction reconstruction = sparse_part(model, views);
+  for (const std::uint32_t view : views) {
+    if (ctx.stopped()) return;
     auto points = depth.points_of(reconstruction, view, ctx);
     if (!points) continue;
     if (!preview.has_voxel()) {
