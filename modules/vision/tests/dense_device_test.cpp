@@ -1,4 +1,4 @@
-#include "dense/cuda/sgm_bodies.hpp"
+#include "dense/cuda/sgm_steps.hpp"
 #include "dense/device_matcher.hpp"
 #include "dense/path_aggregation.hpp"
 #include "dense/semi_global_matching.hpp"

@@ -1,4 +1,4 @@
-#include "sgm_bodies.hpp"
+#include "sgm_steps.hpp"
 
 #include <cuda_runtime.h>
 
