@@ -47,17 +47,6 @@ Expected<Listing> list_folder(const fs::path& folder) {
   return listing;
 }
 
-/// Metadata of a sound photo. A whole decoding is spent only on files without an end marker.
-Expected<Photo> open_photo(const fs::path& path) {
-  HF_TRY(PhotoMetadata metadata, read_photo_metadata(path));
-  HF_TRY(const JpegSegments segments, read_jpeg_segments(path));
-  HF_TRY(const bool has_end, has_end_marker(path, segments.scan_begin));
-  if (!has_end) {
-    if (auto image = decode_jpeg(path); !image) return std::unexpected(image.error());
-  }
-  return Photo{.metadata = std::move(metadata), .load = [path] { return decode_jpeg(path); }};
-}
-
 /// The message without the path, which the reader of the report knows.
 [[nodiscard]] std::string reason_of(const Error& error, const fs::path& path) {
   const std::string prefix = path.string() + ": ";
@@ -78,6 +67,16 @@ Expected<Photo> open_photo(const fs::path& path) {
 }
 
 }  // namespace
+
+Expected<Photo> open_photo(const fs::path& path) {
+  HF_TRY(PhotoMetadata metadata, read_photo_metadata(path));
+  HF_TRY(const JpegSegments segments, read_jpeg_segments(path));
+  HF_TRY(const bool has_end, has_end_marker(path, segments.scan_begin));
+  if (!has_end) {  // only then a whole decoding is spent
+    if (auto image = decode_jpeg(path); !image) return std::unexpected(image.error());
+  }
+  return Photo{.metadata = std::move(metadata), .load = [path] { return decode_jpeg(path); }};
+}
 
 Expected<PhotoFolder> open_photo_folder(const fs::path& folder) {
   HF_TRY(const Listing listing, list_folder(folder));

@@ -1,5 +1,7 @@
+#include "digest.hpp"
 #include "imported_poses.hpp"
 #include "json_text.hpp"
+#include "photo_cache_files.hpp"
 #include "reconstruct_summary.hpp"
 #include "stage_runner.hpp"
 #include "vision_files.hpp"
@@ -100,7 +102,8 @@ Expected<std::vector<ControlPoint>> control_points(const std::filesystem::path& 
 }
 
 /// By structure from motion, or from the given poses.
-Expected<Reconstruction> posed_photos(const PhotoFolder& folder,
+Expected<Reconstruction> posed_photos(const Workspace& workspace,
+                                      const PhotoFolder& folder,
                                       const PhotoInputs& inputs,
                                       const ReconstructionOptions& options,
                                       const RunContext& ctx) {
@@ -109,7 +112,14 @@ Expected<Reconstruction> posed_photos(const PhotoFolder& folder,
   if (inputs.control) {
     HF_TRY(control, control_points(*inputs.control, folder, ctx));
   }
-  return reconstruct(folder.photos, options, ctx, control);
+  PhotoCache cache = open_photo_cache(workspace, ctx);
+  if (cache.load) {
+    for (const Photo& photo : folder.photos) {
+      const auto sha256 = sha256_of_file(folder.folder / photo.metadata.name);
+      cache.keys.push_back(sha256 ? photo_cache_key(*sha256, options) : std::string());
+    }
+  }
+  return reconstruct(folder.photos, options, ctx, control, &cache);
 }
 
 /// Where the result lies: origin.json; frame.json instead says that it lies nowhere.
@@ -134,7 +144,7 @@ Expected<StageResult> reconstruct_into(Project& project,
   }
   if (auto made = workspace.make_folder("vision"); !made) return std::unexpected(made.error());
   HF_TRY(const Reconstruction reconstruction,
-         posed_photos(folder, inputs, options.reconstruction, ctx));
+         posed_photos(workspace, folder, inputs, options.reconstruction, ctx));
   for (const std::string& warning : reconstruction.warnings) ctx.warn(warning);
   HF_TRY(const PointCloud dense,
          densify(folder.photos, reconstruction, options.densify, ctx, workspace.path("vision")));
@@ -150,6 +160,7 @@ Expected<StageResult> reconstruct_into(Project& project,
   if (written) written = write_frame(workspace, reconstruction);
   if (written) written = write_ply(workspace.path(workspace_file::kDense), dense);
   if (!written) return std::unexpected(written.error());
+  remove_photo_cache(workspace);
   return reconstruct_summary(reconstruction, folder, dense);
 }
 

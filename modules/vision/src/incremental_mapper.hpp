@@ -32,17 +32,22 @@ class IncrementalMapper {
   /// @returns kCancelled, or the error of an adjustment.
   [[nodiscard]] Expected<void> grow(const std::vector<bool>& usable);
 
+  /// Registers the best of the usable views that the model as it is can register, and adjusts its
+  /// neighbourhood. @returns false when there is none; errors as grow().
+  [[nodiscard]] Expected<bool> register_next(const std::vector<bool>& usable);
+
+  /// Adjusts all registered views with their calibration and triangulates again. Errors as grow().
+  [[nodiscard]] Expected<void> adjust_all();
+
   /// Why each view is not registered; empty text where it is.
   [[nodiscard]] const std::vector<std::string>& reasons() const { return reasons_; }
 
  private:
   [[nodiscard]] std::vector<std::size_t> ranked_seeds(const std::vector<bool>& usable) const;
   [[nodiscard]] Expected<bool> start(const VerifiedPair& seed);
-  [[nodiscard]] Expected<bool> register_next(const std::vector<bool>& usable);
   [[nodiscard]] bool try_view(std::uint32_t view);
   [[nodiscard]] bool plausible(std::uint32_t view, const Eigen::Vector3d& centre) const;
   [[nodiscard]] Expected<void> adjust_around(std::uint32_t view);
-  [[nodiscard]] Expected<void> adjust_all();
   void extend(std::uint32_t view);
   void clear();
 

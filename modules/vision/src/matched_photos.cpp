@@ -1,6 +1,7 @@
 #include "matched_photos.hpp"
 
 #include "appearance.hpp"
+#include "cached_features.hpp"
 #include "control_placement.hpp"
 #include "flight_errors.hpp"
 #include "fragments.hpp"
@@ -22,6 +23,7 @@ namespace {
 
 Expected<FeatureStage> extract_all(std::span<const Photo> photos,
                                    const FeatureOptions& options,
+                                   const PhotoCache* cache,
                                    const RunContext& ctx) {
   FeatureStage stage;
   stage.features.resize(photos.size());
@@ -29,17 +31,7 @@ Expected<FeatureStage> extract_all(std::span<const Photo> photos,
   std::atomic<std::int64_t> done = 0;
   parallel_for(ctx, photos.size(), 1, [&](std::size_t i, std::size_t) {
     if (ctx.stopped()) return;
-    auto image = photos[i].load();
-    if (!image) {
-      stage.errors[i] = image.error().message;
-    } else if (image->width != photos[i].metadata.width ||
-               image->height != photos[i].metadata.height) {
-      stage.errors[i] = fmt::format("decoded to {} x {} px, but its header says {} x {}",
-                                    image->width,
-                                    image->height,
-                                    photos[i].metadata.width,
-                                    photos[i].metadata.height);
-    } else if (auto features = extract_features(*image, options)) {
+    if (auto features = photo_features(photos[i], i, options, cache)) {
       stage.features[i] = std::move(*features);
     } else {
       stage.errors[i] = features.error().message;
@@ -143,7 +135,7 @@ Expected<Fragments> map_photos(const MatchedPhotos& matched,
       second_round_pairs(mapped.model, matched.pairs, gnss, options.pairs);
   if (pairs.empty()) return mapped;
   const std::vector<FeatureSet>& features = matched.stage.features;
-  HF_TRY(const auto raw, match_pairs(features, pairs, options.matching, ctx));
+  HF_TRY(const auto raw, match_pairs(features, pairs, options.matching, ctx, matched.cache));
   HF_TRY(const auto fresh, verify_pairs(features, matched.cameras, raw, options.matching, ctx));
   ctx.info(fmt::format("second round: {} of {} pairs verified", fresh.size(), pairs.size()));
   if (fresh.empty()) return mapped;
@@ -183,16 +175,18 @@ bool undo_rolling_shutter(SfmModel& model,
 Expected<MatchedPhotos> match_photos(std::span<const Photo> photos,
                                      const GnssIngest& gnss,
                                      const ReconstructionOptions& options,
-                                     const RunContext& ctx) {
+                                     const RunContext& ctx,
+                                     const PhotoCache* cache) {
   std::vector<PhotoMetadata> metadata;
   for (const Photo& photo : photos) metadata.push_back(photo.metadata);
   MatchedPhotos result{
-      .cameras = group_cameras(metadata, options.intrinsics, options.features.max_size_px)};
-  HF_TRY(result.stage, extract_all(photos, options.features, ctx));
+      .cameras = group_cameras(metadata, options.intrinsics, options.features.max_size_px),
+      .cache = cache};
+  HF_TRY(result.stage, extract_all(photos, options.features, cache, ctx));
   const std::vector<FeatureSet>& features = result.stage.features;
   std::vector<PhotoPair> pairs = select_pairs(metadata, gnss, options.pairs);
   add_similar(features, gnss, options.pairs, ctx, pairs);
-  HF_TRY(const auto raw, match_pairs(features, pairs, options.matching, ctx));
+  HF_TRY(const auto raw, match_pairs(features, pairs, options.matching, ctx, cache));
   if (options.intrinsics.probe_lens) probe_lenses(result.cameras, features, raw, ctx);
   HF_TRY(result.pairs, verify_pairs(features, result.cameras, raw, options.matching, ctx));
   ctx.info(fmt::format("{} of {} pairs verified", result.pairs.size(), pairs.size()));

@@ -8,6 +8,7 @@
 #include <hybridfusion/core/photo.hpp>
 #include <hybridfusion/core/run_context.hpp>
 #include <hybridfusion/vision/gnss_ingest.hpp>
+#include <hybridfusion/vision/photo_cache.hpp>
 #include <hybridfusion/vision/reconstruction.hpp>
 #include <hybridfusion/vision/reconstruction_options.hpp>
 
@@ -21,13 +22,15 @@ struct MatchedPhotos {
   FeatureStage stage = {};
   CameraSetup cameras = {};
   std::vector<VerifiedPair> pairs = {};
+  const PhotoCache* cache = nullptr;  ///< For pairs that are matched later.
 };
 
 /// Features of all photos and matches of the pairs that positions and time suggest.
 [[nodiscard]] Expected<MatchedPhotos> match_photos(std::span<const Photo> photos,
                                                    const GnssIngest& gnss,
                                                    const ReconstructionOptions& options,
-                                                   const RunContext& ctx);
+                                                   const RunContext& ctx,
+                                                   const PhotoCache* cache = nullptr);
 
 /// Poses, calibration and points from the matches: mapping, placement, adjustment, judgement.
 /// @param metadata  One per photo.

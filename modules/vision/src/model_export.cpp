@@ -26,12 +26,29 @@ Rgb8 mean_color(const Track& track, std::span<const FeatureSet> features) {
   return color;
 }
 
-/// Fills points and observations; returns the errors of all observations [px, reduced photo].
+void add_quality_warnings(const Reconstruction& result, std::vector<std::string>& warnings) {
+  const auto registered = std::ranges::count_if(
+      result.views, [](const View& view) { return view.enu_from_camera.has_value(); });
+  if (static_cast<std::size_t>(registered) < result.views.size()) {
+    warnings.push_back(
+        fmt::format("{} of {} photos are registered", registered, result.views.size()));
+  }
+  const double change = result.cameras.front().focal_px / result.quality.initial_focal_px - 1.0;
+  constexpr double kMaxFocalChange = 0.1;
+  if (std::abs(change) > kMaxFocalChange) {
+    warnings.push_back(
+        fmt::format("the estimated focal length is {:.1f} % off the metadata's", 100.0 * change));
+  }
+}
+
+}  // namespace
+
 std::vector<double> export_points(const SfmModel& model,
+                                  std::span<const std::uint32_t> tracks,
                                   std::span<const FeatureSet> features,
                                   Reconstruction& out) {
   std::vector<double> errors;
-  for (std::size_t t = 0; t < model.tracks.size(); ++t) {
+  for (const std::uint32_t t : tracks) {
     if (!model.points[t]) continue;
     ScenePoint point{.point_in_enu = *model.points[t],
                      .color = mean_color(model.tracks[t], features)};
@@ -51,23 +68,6 @@ std::vector<double> export_points(const SfmModel& model,
   }
   return errors;
 }
-
-void add_quality_warnings(const Reconstruction& result, std::vector<std::string>& warnings) {
-  const auto registered = std::ranges::count_if(
-      result.views, [](const View& view) { return view.enu_from_camera.has_value(); });
-  if (static_cast<std::size_t>(registered) < result.views.size()) {
-    warnings.push_back(
-        fmt::format("{} of {} photos are registered", registered, result.views.size()));
-  }
-  const double change = result.cameras.front().focal_px / result.quality.initial_focal_px - 1.0;
-  constexpr double kMaxFocalChange = 0.1;
-  if (std::abs(change) > kMaxFocalChange) {
-    warnings.push_back(
-        fmt::format("the estimated focal length is {:.1f} % off the metadata's", 100.0 * change));
-  }
-}
-
-}  // namespace
 
 Reconstruction export_model(const Fragments& mapped,
                             const GnssTerms& terms,
@@ -94,7 +94,9 @@ Reconstruction export_model(const Fragments& mapped,
   for (const GnssObservation& o : terms.observations) {
     result.views[o.view].gnss_sigma_m = o.sigma_m;
   }
-  std::vector<double> errors = export_points(model, stage.features, result);
+  std::vector<std::uint32_t> tracks(model.tracks.size());
+  std::iota(tracks.begin(), tracks.end(), 0U);
+  std::vector<double> errors = export_points(model, tracks, stage.features, result);
   if (!errors.empty()) {
     result.quality.mean_reprojection_px =
         std::accumulate(errors.begin(), errors.end(), 0.0) / static_cast<double>(errors.size());

@@ -1,5 +1,6 @@
 #include "pair_verification.hpp"
 
+#include "cached_features.hpp"
 #include "relative_pose.hpp"
 #include "robust_statistics.hpp"
 #include "triangulation.hpp"
@@ -66,15 +67,17 @@ std::uint64_t stream_index(const PhotoPair& views) {
 Expected<std::vector<RawPair>> match_pairs(std::span<const FeatureSet> features,
                                            std::span<const PhotoPair> pairs,
                                            const MatchingOptions& options,
-                                           const RunContext& ctx) {
+                                           const RunContext& ctx,
+                                           const PhotoCache* cache) {
   use_single_threaded_blas();
   std::vector<RawPair> result(pairs.size());
   std::atomic<std::int64_t> done = 0;
   parallel_for(ctx, pairs.size(), 1, [&](std::size_t k, std::size_t) {
     if (ctx.stopped()) return;
+    const auto [first, second] = pairs[k];
     result[k] = {
         pairs[k],
-        match_features(features[pairs[k].first], features[pairs[k].second], options.ratio)};
+        photo_matches(features[first], features[second], first, second, options.ratio, cache)};
     ctx.report({.stage = "vision/matching",
                 .done = ++done,
                 .total = static_cast<std::int64_t>(pairs.size())});

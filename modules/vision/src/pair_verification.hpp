@@ -8,6 +8,7 @@
 
 #include <hybridfusion/core/error.hpp>
 #include <hybridfusion/core/run_context.hpp>
+#include <hybridfusion/vision/photo_cache.hpp>
 #include <hybridfusion/vision/reconstruction_options.hpp>
 
 #include <optional>
@@ -22,11 +23,12 @@ struct RawPair {
   std::vector<Match> matches = {};
 };
 
-/// In the order of `pairs`.
+/// In the order of `pairs`. @param cache  Of the photos, by index; may be null.
 [[nodiscard]] Expected<std::vector<RawPair>> match_pairs(std::span<const FeatureSet> features,
                                                          std::span<const PhotoPair> pairs,
                                                          const MatchingOptions& options,
-                                                         const RunContext& ctx);
+                                                         const RunContext& ctx,
+                                                         const PhotoCache* cache = nullptr);
 
 /// The matches of a pair that agree with one relative pose; nullopt for too few.
 [[nodiscard]] std::optional<VerifiedPair> verify_pair(std::span<const FeatureSet> features,

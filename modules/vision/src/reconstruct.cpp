@@ -13,7 +13,8 @@ namespace {
 Expected<Reconstruction> run(std::span<const Photo> photos,
                              std::span<const ControlPoint> control,
                              const ReconstructionOptions& options,
-                             const RunContext& ctx) {
+                             const RunContext& ctx,
+                             const PhotoCache* cache) {
   std::vector<PhotoMetadata> metadata;
   for (const Photo& photo : photos) metadata.push_back(photo.metadata);
   auto ingested = ingest_gnss(metadata, options.gnss);
@@ -22,7 +23,7 @@ Expected<Reconstruction> run(std::span<const Photo> photos,
   }
   const GnssIngest gnss =
       ingested ? *std::move(ingested) : without_gnss(metadata, ingested.error().message);
-  HF_TRY(const MatchedPhotos matched, match_photos(photos, gnss, options, ctx));
+  HF_TRY(const MatchedPhotos matched, match_photos(photos, gnss, options, ctx, cache));
   return pose_photos(matched, metadata, gnss, control, options, ctx);
 }
 
@@ -31,14 +32,15 @@ Expected<Reconstruction> run(std::span<const Photo> photos,
 Expected<Reconstruction> reconstruct(std::span<const Photo> photos,
                                      const ReconstructionOptions& options,
                                      const RunContext& ctx,
-                                     std::span<const ControlPoint> control) {
+                                     std::span<const ControlPoint> control,
+                                     const PhotoCache* cache) {
   if (auto valid = validate(options, "vision"); !valid) return std::unexpected(valid.error());
   if (photos.size() < 3) {
     return fail(ErrorCode::kInsufficient,
                 fmt::format("{} photos given, 3 are needed", photos.size()));
   }
   try {
-    return run(photos, control, options, ctx);
+    return run(photos, control, options, ctx, cache);
   } catch (const std::exception& error) {
     return fail(ErrorCode::kDegenerate,
                 fmt::format("structure from motion failed: {}", error.what()));

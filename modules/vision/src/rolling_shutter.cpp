@@ -14,20 +14,17 @@ struct Readout {
   double milliseconds;
 };
 
-/// Electronic shutters by EXIF model, as measured by their users; cameras with a mechanical shutter
-/// are missing on purpose.
-constexpr std::array<Readout, 12> kReadouts = {{{"FC300S", 33.0},
-                                                {"FC300X", 33.0},
-                                                {"FC330", 33.0},
-                                                {"FC220", 64.0},
-                                                {"L1D-20c", 47.0},
-                                                {"FC3411", 32.0},
-                                                {"FC3582", 26.0},
-                                                {"FC2103", 32.0},
-                                                {"FC2204", 25.0},
-                                                {"FC3170", 27.0},
-                                                {"FC7203", 20.0},
-                                                {"FC7303", 19.0}}};
+/// Electronic shutters by EXIF model, as their users measured them (RSCalibration of OpenDroneMap).
+/// Cameras with a mechanical shutter, and those nobody measured, are missing on purpose.
+constexpr std::array<Readout, 9> kReadouts = {{{"FC300S", 33.0},
+                                               {"FC300X", 33.0},
+                                               {"FC330", 33.0},
+                                               {"FC220", 64.0},
+                                               {"L1D-20c", 47.0},
+                                               {"FC3411", 32.0},
+                                               {"FC3582", 26.0},
+                                               {"FC3170", 27.0},
+                                               {"FC7203", 20.0}}};
 
 std::vector<double> depths_of(const SfmModel& model, std::uint32_t view) {
   const Rigid3 camera_from_world = model.world_from_view[view]->inverse();

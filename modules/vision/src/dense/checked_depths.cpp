@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 #include <mutex>
 #include <optional>
 
@@ -42,17 +43,6 @@ std::vector<std::uint32_t> registered_views(const Reconstruction& reconstruction
   return views;
 }
 
-double median_depth_m(const DepthMap& map) {
-  std::vector<float> depths;
-  for (std::size_t i = 0; i < map.depth_m.values.size(); i += 7) {
-    if (!std::isnan(map.depth_m.values[i])) depths.push_back(map.depth_m.values[i]);
-  }
-  if (depths.empty()) return std::numeric_limits<double>::quiet_NaN();
-  const auto middle = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
-  std::ranges::nth_element(depths, middle);
-  return *middle;
-}
-
 /// What stereo gave for all photos.
 struct StereoStage {
   std::unique_ptr<DepthMapStore> maps;
@@ -72,6 +62,7 @@ Expected<StereoStage> match_all(std::span<const Photo> photos,
   HF_TRY(stage.maps, DepthMapStore::create(photos.size(), max_bytes - max_bytes / 4, scratch));
   std::vector<std::vector<std::string>> refusals(photos.size());
   std::vector<double> medians(photos.size(), std::numeric_limits<double>::quiet_NaN());
+  const std::unique_ptr<DeviceMatcher> device = DeviceMatcher::open(options.stereo, ctx);
   FirstError error;
   std::mutex mutex;
   std::int64_t done = 0;
@@ -80,7 +71,7 @@ Expected<StereoStage> match_all(std::span<const Photo> photos,
     if (!error.result(ctx)) return;
     const std::uint32_t v = views[i];
     if (images.get(v)) {
-      StereoDepthResult result = stereo_depth(reconstruction, v, images, options);
+      StereoDepthResult result = stereo_depth(reconstruction, v, images, options, device.get());
       erode_depth_edges(result.map, options.check.edge_step, options.check.edge_margin_px);
       medians[v] = median_depth_m(result.map);
       refusals[v] = std::move(result.refusals);

@@ -93,4 +93,15 @@ void erode_depth_edges(DepthMap& map, double edge_step, int margin_px) {
   }
 }
 
+double median_depth_m(const DepthMap& map) {
+  std::vector<float> depths;
+  for (std::size_t i = 0; i < map.depth_m.values.size(); i += 7) {
+    if (!std::isnan(map.depth_m.values[i])) depths.push_back(map.depth_m.values[i]);
+  }
+  if (depths.empty()) return std::numeric_limits<double>::quiet_NaN();
+  const auto middle = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
+  std::ranges::nth_element(depths, middle);
+  return *middle;
+}
+
 }  // namespace hybridfusion

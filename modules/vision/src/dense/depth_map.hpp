@@ -54,6 +54,9 @@ struct DepthGuess {
 /// standard deviations of their difference). Ties go to the first. @pre not empty
 [[nodiscard]] DepthGuess merge_guesses(const std::vector<DepthGuess>& guesses);
 
+/// Median of every seventh pixel's depth; NaN without depths.
+[[nodiscard]] double median_depth_m(const DepthMap& map);
+
 /// Drops depths beyond `max_depth_m`.
 void drop_far_depths(DepthMap& map, double max_depth_m);
 

@@ -207,7 +207,8 @@ Expected<PairDepths> match_partner(const Reconstruction& reconstruction,
                                    const StereoPartner& partner,
                                    const WorkImage& first,
                                    const WorkImage& second,
-                                   const StereoOptions& options) {
+                                   const StereoOptions& options,
+                                   DeviceMatcher* device) {
   const Pair pair{.first = posed(reconstruction, map.view, first),
                   .second = posed(reconstruction, partner.view, second)};
   HF_TRY(const RectificationRequest request, request_for(reconstruction, partner, pair));
@@ -221,7 +222,7 @@ Expected<PairDepths> match_partner(const Reconstruction& reconstruction,
                             options.max_vertical_parallax_px));
   }
   HF_TRY(const ImagePlane<float> disparity,
-         match_pair(rectified_images(pair, first, second, geometry), options));
+         match_pair(rectified_images(pair, first, second, geometry), options, device));
   return pair_depths(map, geometry, disparity);
 }
 
@@ -230,7 +231,8 @@ Expected<PairDepths> match_partner(const Reconstruction& reconstruction,
 StereoDepthResult stereo_depth(const Reconstruction& reconstruction,
                                std::uint32_t reference,
                                WorkImages& images,
-                               const DensifyOptions& options) {
+                               const DensifyOptions& options,
+                               DeviceMatcher* device) {
   const WorkImages::Handle first = images.get(reference);
   HF_CHECK(first != nullptr);
   StereoDepthResult result{.map = empty_map(reconstruction, reference, *first)};
@@ -240,7 +242,7 @@ StereoDepthResult stereo_depth(const Reconstruction& reconstruction,
     const WorkImages::Handle second = images.get(partner.view);
     if (!second) continue;
     auto depths =
-        match_partner(reconstruction, result.map, partner, *first, *second, options.stereo);
+        match_partner(reconstruction, result.map, partner, *first, *second, options.stereo, device);
     if (!depths) {
       result.refusals.push_back(fmt::format("{} with {}: {}",
                                             reconstruction.views[reference].name,

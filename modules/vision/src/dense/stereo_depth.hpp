@@ -1,6 +1,7 @@
 #pragma once
 
 #include "depth_map.hpp"
+#include "device_matcher.hpp"
 #include "pair_choice.hpp"
 #include "work_images.hpp"
 
@@ -19,11 +20,13 @@ struct StereoDepthResult {
 };
 
 /// Matches a photo with each of its partners and merges the depths on the photo's own grid.
+/// @param device  Matches instead of the CPU; may be null.
 /// @param images  Those of the photo and its partners are used. @pre the photo itself can be
 /// decoded
 [[nodiscard]] StereoDepthResult stereo_depth(const Reconstruction& reconstruction,
                                              std::uint32_t reference,
                                              WorkImages& images,
-                                             const DensifyOptions& options);
+                                             const DensifyOptions& options,
+                                             DeviceMatcher* device = nullptr);
 
 }  // namespace hybridfusion

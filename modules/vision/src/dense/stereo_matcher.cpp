@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include <opencv2/calib3d.hpp>
@@ -43,16 +44,27 @@ ImagePlane<std::uint8_t> half_mask(const ImagePlane<std::uint8_t>& mask) {
   return half;
 }
 
+ImagePlane<float> match_level(const RectifiedImages& images,
+                              const DisparityRanges& ranges,
+                              const StereoOptions& options,
+                              DeviceMatcher* device) {
+  if (device != nullptr) {
+    if (auto disparity = device->match(images, ranges, options)) return *std::move(disparity);
+  }
+  return match_semi_globally(images, ranges, options);
+}
+
 /// Full range at the coarsest level, then a few candidates around it at each finer one
 /// (Rothermel et al. 2012): the cost grows with the image, not with the depth range.
 ImagePlane<float> match_coarse_to_fine(const RectifiedImages& images,
-                                       const StereoOptions& options) {
+                                       const StereoOptions& options,
+                                       DeviceMatcher* device) {
   const bool coarse_enough = images.num_disparities % 2 == 0 ||
                              images.num_disparities / 2 < kMinCoarseDisparities ||
                              images.left.width / 2 < kMinCoarseWidth;
-  if (coarse_enough) return match_semi_globally(images, full_ranges(images), options);
-  const ImagePlane<float> coarse = match_coarse_to_fine(half_size(images), options);
-  return match_semi_globally(images, ranges_around(coarse, images), options);
+  if (coarse_enough) return match_level(images, full_ranges(images), options, device);
+  const ImagePlane<float> coarse = match_coarse_to_fine(half_size(images), options, device);
+  return match_level(images, ranges_around(coarse, images), options, device);
 }
 
 /// OpenCV wants images of one size with x_right = x_left - d: the left image moves into a frame as
@@ -213,7 +225,8 @@ void remove_small_segments(ImagePlane<float>& disparity, int min_segment_px) {
 }
 
 Expected<ImagePlane<float>> match_pair(const RectifiedImages& images,
-                                       const StereoOptions& options) {
+                                       const StereoOptions& options,
+                                       DeviceMatcher* device) {
   ImagePlane<float> disparity;
   if (options.matcher == "sgbm") {
     try {
@@ -223,7 +236,7 @@ Expected<ImagePlane<float>> match_pair(const RectifiedImages& images,
                   std::string("OpenCV's stereo matcher failed: ") + e.what());
     }
   } else {
-    disparity = match_coarse_to_fine(images, options);
+    disparity = match_coarse_to_fine(images, options, device);
   }
   remove_weak_texture(images, options.min_texture_grey, disparity);
   remove_small_segments(disparity, options.min_segment_px);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "device_matcher.hpp"
 #include "semi_global_matching.hpp"
 
 #include <hybridfusion/core/error.hpp>
@@ -8,9 +9,11 @@ namespace hybridfusion {
 
 /// Disparity index of each left pixel (NaN: none) by the matcher that the options name, with weakly
 /// textured windows, small islands and outliers removed, refined to sub-pixel on the grey values.
+/// @param device  Matches instead of the CPU; may be null.
 /// @returns kInsufficient when OpenCV's matcher fails.
 [[nodiscard]] Expected<ImagePlane<float>> match_pair(const RectifiedImages& images,
-                                                     const StereoOptions& options);
+                                                     const StereoOptions& options,
+                                                     DeviceMatcher* device = nullptr);
 
 /// Half the size by averaging 2 x 2 pixels; a pixel has data when all four have. Disparity index k
 /// becomes k / 2. @pre num_disparities is odd

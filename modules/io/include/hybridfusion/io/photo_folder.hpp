@@ -21,6 +21,10 @@ struct PhotoFolder {
   std::vector<QuarantinedPhoto> quarantined = {};  ///< Sorted by name.
 };
 
+/// One photo, its metadata read. @returns kNotFound; kParse for a file that is empty, truncated or
+/// no JPEG. Damage inside the pixel data shows when it is loaded.
+[[nodiscard]] Expected<Photo> open_photo(const std::filesystem::path& path);
+
 /// Opens the *.jpg and *.jpeg files (any case) directly in `folder` and reads their metadata.
 /// Empty, truncated and non-JPEG files are quarantined; damage inside the pixel data shows when a
 /// photo is loaded.

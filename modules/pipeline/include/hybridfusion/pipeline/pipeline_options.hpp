@@ -10,6 +10,7 @@
 #include <hybridfusion/registration/registration_options.hpp>
 #include <hybridfusion/vision/densify_options.hpp>
 #include <hybridfusion/vision/reconstruction_options.hpp>
+#include <hybridfusion/vision/streaming_options.hpp>
 
 namespace hybridfusion {
 
@@ -70,13 +71,15 @@ struct OptionFields<FusionStageOptions> {
   };
 };
 
-/// Every option of every stage; one group a stage and one for the fusion.
+/// Every option of every stage; one group a stage, one for the fusion, one for the
+/// watch.
 struct PipelineOptions {
   VisionStageOptions vision = {};
   LidarStageOptions lidar = {};
   RegistrationOptions registration = {};
   FusionStageOptions fusion = {};
   EvaluationOptions evaluation = {};
+  StreamingOptions watch = {};
 };
 
 template <>
@@ -88,6 +91,7 @@ struct OptionFields<PipelineOptions> {
       Field{&T::registration, {.key = "registration", .doc = "Vision cloud and map -> pose."}},
       Field{&T::fusion, {.key = "fusion", .doc = "Registered clouds -> fused cloud."}},
       Field{&T::evaluation, {.key = "evaluation", .doc = "Metrics."}},
+      Field{&T::watch, {.key = "watch", .doc = "reconstruct --watch: photos while they arrive."}},
   };
 };
 

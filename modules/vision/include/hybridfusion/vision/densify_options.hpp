@@ -9,6 +9,7 @@ namespace hybridfusion {
 /// Semi-global matching of a rectified pair.
 struct StereoOptions {
   std::string matcher = "sgm";
+  std::string backend = "auto";
   bool diagonal_paths = false;
   int smoothness_small = 10;
   int smoothness_large = 60;
@@ -32,6 +33,13 @@ struct OptionFields<StereoOptions> {
            .doc = "sgm: census semi-global matching, coarse to fine. sgbm: OpenCV's, block based; "
                   "quicker on textured ground, invents surfaces on sky and blank walls.",
            .source = "HybridFusion III-A.2; Hirschmueller 2008"}},
+      Field{&T::backend,
+            {.key = "backend",
+             .choices = "auto|cpu|cuda",
+             .doc = "Where matcher sgm runs. auto: on a CUDA device when the program was built for "
+                    "one (HF_CUDA) and there is one, else on the CPU; cuda: the same, with a "
+                    "warning instead of silence. The disparities are the same.",
+             .source = "HybridFusion III-A.2 (CUDA)"}},
       Field{&T::diagonal_paths,
             {.key = "diagonal_paths",
              .doc = "Costs are aggregated along eight paths instead of four, at nearly twice the "
