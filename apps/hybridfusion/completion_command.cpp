@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
 
 namespace hybridfusion::cli {
 namespace {
@@ -191,12 +192,18 @@ void add_completion_command(CLI::App& app, Command& chosen) {
       ->check(CLI::IsMember({"bash", "zsh", "commands"}));
   command->footer(help_footer("source <(hybridfusion completion bash)", "nothing", "nothing"));
   command->callback([what, &app, &chosen] {
-    chosen = [what, &app](Session&) {
+    chosen = [what, &app](Session& session) {
       const ProgramTree tree = tree_of_program(app);
-      if (*what == "commands") {
-        fmt::print("{}\n", fmt::join(names_of(tree), "\n"));
+      const std::string text = *what == "bash" ? bash_script(tree)
+                               : *what == "zsh"
+                                   ? zsh_script(tree)
+                                   : fmt::format("{}\n", fmt::join(names_of(tree), "\n"));
+      if (session.globals.json) {
+        const nlohmann::ordered_json json = {
+            {"status", "ok"}, {"commands", names_of(tree)}, {"text", text}};
+        fmt::print("{}\n", json.dump(1));
       } else {
-        fmt::print("{}", *what == "bash" ? bash_script(tree) : zsh_script(tree));
+        fmt::print("{}", text);
       }
       return kDone;
     };

@@ -10,10 +10,10 @@
 namespace hybridfusion::cli {
 
 void add_config_command(CLI::App& app, Command& chosen) {
-  CLI::App* command = app.add_subcommand(
-      "config",
-      "Prints every option with its value as YAML, as --config reads it; --config and --set are "
-      "applied first, so it also checks a file.");
+  CLI::App* command = app.add_subcommand("config",
+                                         "Prints every option with its value as YAML (--json: as "
+                                         "JSON), as --config reads it; --config and --set are "
+                                         "applied first, so it also checks a file.");
   auto markdown = std::make_shared<bool>(false);
   command->add_flag("--markdown", *markdown, "Reference table: unit, default, range, meaning");
   command->footer(
@@ -23,9 +23,14 @@ void add_config_command(CLI::App& app, Command& chosen) {
                   "nothing; the options on stdout"));
   command->callback([markdown, &chosen] {
     chosen = [markdown](Session& session) {
-      fmt::print(
-          "{}",
-          *markdown ? options_reference() + simulation_reference() : to_yaml(session.options));
+      if (*markdown && session.globals.json) {
+        session.print_error("config: --markdown is a page for people; take one of it and --json");
+        return kUsage;
+      }
+      fmt::print("{}",
+                 *markdown              ? options_reference() + simulation_reference()
+                 : session.globals.json ? to_json(session.options) + "\n"
+                                        : to_yaml(session.options));
       return kDone;
     };
   });

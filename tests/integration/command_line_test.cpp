@@ -1,5 +1,6 @@
 #include "program.hpp"
 
+#include <map>
 #include <sstream>
 
 #include <gmock/gmock.h>
@@ -84,6 +85,46 @@ TEST_F(CommandLine, TheConfigurationReadsBackToItself) {
   const ProgramResult second = run_program({"--config", write("all.yaml", first.out), "config"});
   ASSERT_EQ(second.exit_code, 0) << second.err;
   EXPECT_EQ(first.out, second.out);
+}
+
+TEST_F(CommandLine, TheConfigurationReadsBackFromJsonToo) {
+  const ProgramResult json = run_program({"config", "--set", "evaluation.leaf_m=0.25", "--json"});
+  ASSERT_EQ(json.exit_code, 0) << json.err;
+  EXPECT_EQ(nlohmann::json::parse(json.out).at("evaluation").at("leaf_m"), 0.25);
+  const ProgramResult yaml = run_program({"config", "--set", "evaluation.leaf_m=0.25"});
+  EXPECT_EQ(run_program({"--config", write("all.json", json.out), "config"}).out, yaml.out);
+}
+
+TEST_F(CommandLine, JsonOfEveryCommandIsOneObjectWhateverHappens) {
+  const std::string xyz = write("in.xyz", "0 0 0\n1.5 2 -3\n4 5 6\n");
+  const std::string nowhere = path("nowhere");
+  const std::map<std::string, std::vector<std::vector<std::string>>> arguments = {
+      {"run", {{"--images", nowhere, "--bag", nowhere, "--output", path("a")}}},
+      {"reconstruct", {{"--images", nowhere, "--output", path("b")}}},
+      {"map", {{"--bag", nowhere, "--output", path("c")}}},
+      {"register",
+       {{"--vision", xyz, "--lidar", xyz, "--output", path("d")},
+        {"--vision", nowhere, "--lidar", xyz, "--output", path("e")}}},
+      {"evaluate", {{"--workspace", nowhere}, {"--vision", xyz, "--lidar", nowhere}}},
+      {"convert", {{xyz, path("out.ply")}, {nowhere, path("out.las")}}},
+      {"config", {{}}},
+      {"simulate", {{"--output", xyz}}},
+      {"view", {{nowhere, "--no-browser"}}},
+      {"doctor", {{}, {"--images", nowhere}}},
+      {"completion", {{"bash"}, {"zsh"}, {"commands"}}}};
+  for (const std::string& command : commands()) {
+    ASSERT_TRUE(arguments.contains(command)) << command << ": add it here";
+    for (std::vector<std::string> line : arguments.at(command)) {
+      line.insert(line.begin(), command);
+      line.emplace_back("--json");
+      const ProgramResult result = run_program(line);
+      const nlohmann::json json = nlohmann::json::parse(result.out, nullptr, false);
+      ASSERT_TRUE(json.is_object()) << ::testing::PrintToString(line) << result.out;
+      EXPECT_EQ(json.value("exit_code", result.exit_code), result.exit_code);
+      EXPECT_EQ(json.value("status", "ok") == "ok", result.exit_code == 0)
+          << ::testing::PrintToString(line);
+    }
+  }
 }
 
 TEST_F(CommandLine, TheOptionReferenceHasARowForEveryOption) {

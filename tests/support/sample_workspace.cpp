@@ -254,7 +254,8 @@ void write_results(const std::filesystem::path& root) {
                        stage({{"num_scans", 200},
                               {"num_flagged_scans", 1},
                               {"mean_residual_m", 0.025},
-                              {"num_imu_gaps", 1}})},
+                              {"num_imu_gaps", 1},
+                              {"num_lidar_gaps", 0}})},
                       {"register", stage(registration)}}}};
   write_text(root / "run.json", run.dump());
 }

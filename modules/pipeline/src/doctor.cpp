@@ -19,9 +19,13 @@ namespace {
 constexpr double kMaxSiteGap_m = 500.0;
 constexpr double kMaxBelow_m = 30.0;  // two receivers with their biases agree better than that
 
-double median_altitude_m(std::span<const GeodeticPosition> positions) {
+/// Of the positions whose altitude is known; none of none.
+std::optional<double> median_altitude_m(std::span<const GeodeticPosition> positions) {
   std::vector<double> altitudes;
-  for (const GeodeticPosition& position : positions) altitudes.push_back(position.altitude_m);
+  for (const GeodeticPosition& position : positions) {
+    if (std::isfinite(position.altitude_m)) altitudes.push_back(position.altitude_m);
+  }
+  if (altitudes.empty()) return std::nullopt;
   const auto middle = altitudes.begin() + static_cast<std::ptrdiff_t>(altitudes.size() / 2);
   std::ranges::nth_element(altitudes, middle);
   return *middle;
@@ -41,7 +45,8 @@ double gap_m(std::span<const GeodeticPosition> photos,
   const std::size_t step = std::max<std::size_t>(1, fixes.size() / kMaxFixes);
   double nearest_m = std::numeric_limits<double>::infinity();
   for (const GeodeticPosition& photo : photos) {
-    const GeodeticPosition place = swap_photos ? swapped(photo) : photo;
+    GeodeticPosition place = swap_photos ? swapped(photo) : photo;
+    place.altitude_m = 0.0;
     if (std::abs(place.latitude_deg) > 90.0) return nearest_m;
     for (std::size_t i = 0; i < fixes.size(); i += step) {
       // Not only east and north: beyond the horizon the plane leaves the Earth.
@@ -49,7 +54,7 @@ double gap_m(std::span<const GeodeticPosition> photos,
                            enu_from_geodetic(place,
                                              {.latitude_deg = fixes[i].latitude_deg,
                                               .longitude_deg = fixes[i].longitude_deg,
-                                              .altitude_m = place.altitude_m})
+                                              .altitude_m = 0.0})
                                .norm());
     }
   }
@@ -87,9 +92,13 @@ void check_site(const PhotoEvidence& photos,
                     swap_helps ? "; latitude and longitude of the photos are swapped" : ""));
     return;
   }
-  const double above_m = median_altitude_m(photos.positions) - median_altitude_m(recording.fixes);
-  diagnosis.facts.push_back(
-      fmt::format("the photos lie {:.0f} m above the drive (median)", above_m));
+  const auto photos_m = median_altitude_m(photos.positions);
+  const auto drive_m = median_altitude_m(recording.fixes);
+  if (!photos_m || !drive_m) return;
+  const double above_m = *photos_m - *drive_m;
+  diagnosis.facts.push_back(fmt::format("the photos lie {:.0f} m {} the drive (median)",
+                                        std::abs(above_m),
+                                        above_m < 0.0 ? "below" : "above"));
   if (above_m < -kMaxBelow_m) {
     diagnosis.findings.add("site.photos_below_street",
                            fmt::format("the photos lie {:.0f} m below the drive", -above_m));
@@ -112,8 +121,7 @@ Expected<DoctorReport> examine(const DoctorInputs& inputs,
                  *inputs.bag, recording_options(options.lidar.recording, sensors), diagnosis, ctx));
     }
   }
-  std::optional<double> ground_altitude_m;
-  if (!recording.fixes.empty()) ground_altitude_m = median_altitude_m(recording.fixes);
+  const std::optional<double> ground_altitude_m = median_altitude_m(recording.fixes);
   PhotoEvidence photos;
   if (inputs.images) {
     HF_TRY(photos,

@@ -33,9 +33,10 @@ struct RecordingEvidence {
 
 /// What the photos say that other checks need.
 struct PhotoEvidence {
-  std::size_t num_photos = 0;                    ///< Usable files.
-  std::vector<GeodeticPosition> positions = {};  ///< Of the photos that have one with altitude.
-  int width_px = 0;                              ///< Of the largest photo.
+  std::size_t num_photos = 0;  ///< Usable files.
+  /// Of the photos that have one; the altitude is NaN where it is not known.
+  std::vector<GeodeticPosition> positions = {};
+  int width_px = 0;  ///< Of the largest photo.
   int height_px = 0;
 };
 
@@ -56,6 +57,9 @@ struct PhotoEvidence {
                                                    const ReconstructionOptions& options,
                                                    Diagnosis& diagnosis,
                                                    const RunContext& ctx);
+
+/// Height in the metadata; none where it is exactly 0, which is written for want of one.
+[[nodiscard]] std::optional<double> known_altitude_m(const PhotoMetadata& photo);
 
 /// Cameras, focal lengths, sizes, times.
 void check_cameras(std::span<const PhotoMetadata> photos, Diagnosis& diagnosis);

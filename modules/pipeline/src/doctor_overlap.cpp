@@ -38,7 +38,7 @@ std::optional<double> height_above_ground(const PhotoMetadata& photo,
                                           std::optional<double> ground_altitude_m) {
   if (photo.relative_altitude_m && *photo.relative_altitude_m > 1.0)
     return photo.relative_altitude_m;
-  const auto altitude = photo.absolute_altitude_m ? photo.absolute_altitude_m : photo.altitude_m;
+  const auto altitude = known_altitude_m(photo);
   if (!ground_altitude_m || !altitude) return std::nullopt;
   // A receiver's height is off by metres; below 10 m it says nothing.
   return std::max(10.0, *altitude - *ground_altitude_m);

@@ -2,6 +2,7 @@
 #include "doctor_checks.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 #include <tuple>
@@ -147,12 +148,10 @@ Expected<PhotoEvidence> check_photos(const std::filesystem::path& images,
     photos.push_back(metadata);
     evidence.width_px = std::max(evidence.width_px, metadata.width);
     evidence.height_px = std::max(evidence.height_px, metadata.height);
-    const auto altitude =
-        metadata.absolute_altitude_m ? metadata.absolute_altitude_m : metadata.altitude_m;
-    if (!metadata.latitude_deg || !metadata.longitude_deg || !altitude) continue;
+    if (!metadata.latitude_deg || !metadata.longitude_deg) continue;
     evidence.positions.push_back({.latitude_deg = *metadata.latitude_deg,
                                   .longitude_deg = *metadata.longitude_deg,
-                                  .altitude_m = *altitude});
+                                  .altitude_m = known_altitude_m(metadata).value_or(NAN)});
   }
   diagnosis.facts.push_back(fmt::format("photos: {} usable of {}, largest {} x {} px",
                                         photos.size(),

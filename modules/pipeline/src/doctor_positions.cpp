@@ -76,8 +76,7 @@ void check_altitudes(std::span<const PhotoMetadata> photos, Diagnosis& diagnosis
   }
   std::vector<std::string> without;
   for (const PhotoMetadata& photo : photos) {
-    const bool any = photo.absolute_altitude_m || photo.altitude_m.value_or(0.0) != 0.0;
-    if (has_position(photo) && !any) without.push_back(photo.name);
+    if (has_position(photo) && !known_altitude_m(photo)) without.push_back(photo.name);
   }
   if (!without.empty()) {
     diagnosis.findings.add(
@@ -120,6 +119,11 @@ void check_ingest(std::span<const PhotoMetadata> photos,
 }
 
 }  // namespace
+
+std::optional<double> known_altitude_m(const PhotoMetadata& photo) {
+  if (photo.absolute_altitude_m) return photo.absolute_altitude_m;
+  return photo.altitude_m.value_or(0.0) != 0.0 ? photo.altitude_m : std::nullopt;
+}
 
 void check_positions(const std::filesystem::path& folder,
                      std::span<const PhotoMetadata> photos,

@@ -1,3 +1,4 @@
+#include "json_text.hpp"
 #include "options_text.hpp"
 #include "options_yaml.hpp"
 
@@ -16,6 +17,22 @@ constexpr std::uint64_t kMaxConfigBytes = 1U << 20U;
 
 YAML::Node node_of(const PipelineOptions& options) {
   return YAML::Load(to_yaml(options));
+}
+
+/// Plain scalars that are JSON as they stand are numbers or truth values.
+Json json_of(const YAML::Node& node) {
+  if (node.IsMap()) {
+    Json object = Json::object();
+    for (const auto& entry : node) object[entry.first.as<std::string>()] = json_of(entry.second);
+    return object;
+  }
+  if (node.IsSequence()) {
+    Json array = Json::array();
+    for (const YAML::Node& entry : node) array.push_back(json_of(entry));
+    return array;
+  }
+  if (!node.IsScalar()) return nullptr;
+  return Json::accept(node.Scalar()) ? Json::parse(node.Scalar()) : Json(node.Scalar());
 }
 
 }  // namespace
@@ -53,6 +70,10 @@ std::string to_yaml(const PipelineOptions& options) {
   YAML::Emitter out;
   write_yaml(out, options);
   return std::string(out.c_str()) + "\n";
+}
+
+std::string to_json(const PipelineOptions& options) {
+  return json_of(node_of(options)).dump(1);
 }
 
 std::string options_reference() {

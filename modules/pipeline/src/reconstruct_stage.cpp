@@ -161,7 +161,8 @@ Expected<StageResult> reconstruct_into(Project& project,
   if (written) written = write_ply(workspace.path(workspace_file::kDense), dense);
   if (!written) return std::unexpected(written.error());
   remove_photo_cache(workspace);
-  return reconstruct_summary(reconstruction, folder, dense);
+  return reconstruct_summary(
+      reconstruction, inputs.poses ? PoseSource::kGiven : PoseSource::kAdjusted, folder, dense);
 }
 
 }  // namespace

@@ -154,6 +154,8 @@ struct DriveSpec {
   std::int8_t fix_status = 0;
   /// False: the message at this time [s] of this topic is left out.
   std::function<bool(const std::string& topic, double time_s)> keep = {};
+  /// True: only half of the bytes of the message were recorded.
+  std::function<bool(const std::string& topic, double time_s)> cut = {};
   /// Added to the stamp of a message [s].
   std::function<double(const std::string& topic, double time_s)> late = {};
 };
@@ -186,9 +188,9 @@ struct DriveSpec {
       if (drive.keep && !drive.keep(topic, time_s)) continue;
       const double late_s = drive.late ? drive.late(topic, time_s) : 0.0;
       const auto recorded = static_cast<std::int64_t>(1e18 + 1e9 * time_s);
-      bag.add_message(connection,
-                      recorded,
-                      message(recorded + static_cast<std::int64_t>(1e9 * late_s), time_s));
+      std::string bytes = message(recorded + static_cast<std::int64_t>(1e9 * late_s), time_s);
+      if (drive.cut && drive.cut(topic, time_s)) bytes.resize(bytes.size() / 2);
+      bag.add_message(connection, recorded, bytes);
     }
     bag.end_chunk();
   };

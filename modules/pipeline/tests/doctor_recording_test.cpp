@@ -41,6 +41,13 @@ TEST_F(DoctorRecording, ATruncatedBagIsAWarning) {
   EXPECT_THAT(ids_of(report), Contains("recording.truncated"));
 }
 
+TEST_F(DoctorRecording, MessagesThatMakeNoSenseAreAWarning) {
+  const DriveSpec drive{.cut = [](const std::string& topic, double time_s) {
+    return topic == "/imu" && time_s == 4.0;
+  }};
+  EXPECT_THAT(findings_of(drive), ElementsAre("recording.damaged"));
+}
+
 TEST_F(DoctorRecording, MissingTopicsAreTold) {
   EXPECT_THAT(findings_of({.lidar = false}, "imu_topic: /imu\n"), Contains("recording.no_lidar"));
   EXPECT_THAT(findings_of({.imu = false}, "lidar_topic: /points\n"), Contains("recording.no_imu"));

@@ -69,6 +69,18 @@ TEST_F(Doctor, PhotosBelowTheStreetAreAnError) {
               ElementsAre("site.photos_below_street"));
 }
 
+TEST_F(Doctor, AnAltitudeOfZeroIsNoAltitudeAndJudgesNothingElse) {
+  auto photos = healthy_flight();
+  for (PhotoSpec& photo : photos) {
+    photo.relative_altitude_m.reset();
+    photo.altitude_m = 0.0;
+  }
+  write_flight(photos);
+  write_drive();
+  EXPECT_THAT(ids_of(report_of({.images = images(), .bag = bag()})),
+              ElementsAre("photos.no_altitude"));
+}
+
 TEST_F(Doctor, TheStreetGivesTheHeightForTheOverlap) {
   auto photos = healthy_flight();
   for (PhotoSpec& photo : photos) {

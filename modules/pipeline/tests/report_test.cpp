@@ -9,11 +9,14 @@
 #include <hybridfusion/pipeline/pipeline_options.hpp>
 #include <hybridfusion/pipeline/stages.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <numbers>
 #include <sstream>
+#include <tuple>
 #include <utility>
 
 #include <gmock/gmock.h>
@@ -45,6 +48,17 @@ class Report : public ::testing::Test {
     std::filesystem::remove_all(root_);
   }
   void TearDown() override { std::filesystem::remove_all(root_); }
+
+  /// Replaces the only place where a file of the workspace has this text.
+  void edit(const std::string& name, const std::string& from, const std::string& to) const {
+    std::ifstream in(root_ / name);
+    std::ostringstream text;
+    text << in.rdbuf();
+    std::string content = std::move(text).str();
+    ASSERT_NE(content.find(from), std::string::npos) << name;
+    content.replace(content.find(from), from.size(), to);
+    std::ofstream(root_ / name) << content;
+  }
 
   [[nodiscard]] std::string report() const {
     const PipelineOptions options;
@@ -81,6 +95,24 @@ TEST_F(Report, ShowsEveryFigureOfACompleteWorkspaceAndNamesItsFile) {
   EXPECT_THAT(html, HasSubstr("peak memory [MiB]"));
   EXPECT_THAT(html, HasSubstr("Ran: reconstruct, map, register"));
   EXPECT_THAT(without_pictures(html), AllOf(Not(HasSubstr("nan")), Not(HasSubstr("inf "))));
+}
+
+TEST_F(Report, EveryNumberLeadsToAFileThatSaysIt) {
+  if (std::system("python3 -c '' 2>/dev/null") != 0) GTEST_SKIP() << "python3 is not installed";
+  testing::write_sample_workspace(root_);
+  std::ignore = report();
+  const std::string check = "python3 " HF_REPORT_CHECK " '" + root_.string() + "'";
+  EXPECT_EQ(std::system(check.c_str()), 0);
+  edit("run.json", "\"num_scans\":200", "\"num_scans\":201");
+  EXPECT_NE(std::system((check + " >/dev/null").c_str()), 0) << "a wrong number must not pass";
+}
+
+TEST_F(Report, ShowsThePatchesOfTheMethodThatMadeThem) {
+  testing::write_sample_workspace(root_);
+  EXPECT_THAT(report(), AllOf(HasSubstr("Vote of the patches"), Not(HasSubstr("in the ring"))));
+  edit("registration/registration.json", "\"method\":\"hybrid\"", "\"method\":\"paper\"");
+  EXPECT_THAT(report(),
+              AllOf(HasSubstr("Patches of the published chain"), HasSubstr("in the ring")));
 }
 
 TEST_F(Report, IsOneFileWithoutScriptsAndEscapesNames) {
@@ -156,6 +188,18 @@ TEST(TrafficLights, APoorScaleByGnssAloneIsRedOnlyWithoutALidarCloud) {
   EXPECT_EQ(color(), "amber");
 }
 
+TEST(TrafficLights, GivenPosesHaveNoUncertaintyOfTheirOwn) {
+  ReportData data;
+  data.reconstruct = {
+      {"num_photos", 3}, {"num_registered", 3}, {"georeference", {{"verdict", "given"}}}};
+  const std::vector<Light> lights = traffic_lights(data);
+  const auto light = std::ranges::find(lights, "scale and tilt by GNSS alone", &Light::what);
+  ASSERT_NE(light, lights.end());
+  EXPECT_EQ(light->color, "amber");
+  EXPECT_THAT(light->value, AllOf(HasSubstr("not adjusted"), Not(HasSubstr("±"))));
+  EXPECT_EQ(std::ranges::count(lights, "focal length against metadata", &Light::what), 0);
+}
+
 TEST(Ticks, AreRoundAndWithinTheEnds) {
   EXPECT_THAT(ticks(0.0, 1.0, 5),
               ElementsAre(0.0,
@@ -196,6 +240,21 @@ TEST(Splatter, TheNearerPointHidesTheFartherOneInAnyOrder) {
     EXPECT_EQ(image.pixels[3 * (5 * image.width + 5) + 1], 255);
     EXPECT_EQ(image.pixels[3 * (5 * image.width + 5)], 0);
   }
+}
+
+TEST(Splatter, BlankRowsAreCutButForAMarginAndStrayPointsDoNotCount) {
+  constexpr Rgb8 kPaper = {250, 250, 250};
+  constexpr int kWidth = 200;
+  Image8 image{.width = kWidth, .height = 100, .channels = 3};
+  image.pixels.assign(3 * kWidth * 100, 250);
+  for (std::size_t i = 3 * kWidth * 40; i < 3 * kWidth * 60; ++i) image.pixels[i] = 10;
+  image.pixels[3 * kWidth * 5] = 0;  // a stray point
+  const Image8 cut = without_blank_rows(image, kPaper);
+  EXPECT_EQ(cut.height, 20 + 2 * 14);
+  EXPECT_EQ(cut.pixels.size(), 3U * kWidth * 48);
+  EXPECT_EQ(cut.pixels[3 * kWidth * 14], 10);
+  image.pixels.assign(image.pixels.size(), 250);
+  EXPECT_EQ(without_blank_rows(image, kPaper).height, 100) << "nothing is drawn";
 }
 
 TEST(Splatter, NorthIsUpAndEastIsRightFromAbove) {

@@ -39,8 +39,12 @@ TEST(EnuFromEnu, IsTheIdentityForOneOriginAndMovesPointsWithTheEarth) {
 
 TEST(Html, EscapesWhatComesFromFiles) {
   EXPECT_EQ(escaped("<b>\"x\" & 'y'</b>"), "&lt;b&gt;&quot;x&quot; &amp; &#39;y&#39;&lt;/b&gt;");
-  const std::string table = html_table({{"mean_m", 0.25}, {"<script>", "<img>"}});
-  EXPECT_NE(table.find("<td class=v>0.25</td><td>m</td>"), std::string::npos);
+  const std::string table =
+      html_table({{"mean_m", 0.25}, {"<script>", "<img>"}}, "run.json#/result");
+  EXPECT_NE(
+      table.find("<td class=v><data value='0.25' title='run.json#/result/mean_m'>0.25</data></td>"
+                 "<td>m</td>"),
+      std::string::npos);
   EXPECT_EQ(table.find("<script>"), std::string::npos);
   EXPECT_EQ(table.find("<img>"), std::string::npos);
 }

@@ -147,7 +147,8 @@ void pronounce(const Evidence& e, const VerdictOptions& o, RegistrationResult& r
   result.reason = reason_to_refuse(factors, confidence, sigma_m, o);
   if (!result.reason.empty()) {
     result.status = RegistrationStatus::kRefused;
-    result.confidence = 0.0;
+    // Evidence for the place says nothing of a pose that the surfaces leave loose.
+    result.confidence = sigma_m > o.max_sigma_m ? 0.0 : confidence;
     return;
   }
   result.status = RegistrationStatus::kOk;

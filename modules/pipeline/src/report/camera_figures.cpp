@@ -148,32 +148,39 @@ std::optional<Figure> camera_table(const ReportData& data) {
         stored.id,
         camera->width_px,
         camera->height_px);
-    const auto row =
-        [&](std::string_view name, const std::string& before, double after, auto unit) {
-          body += fmt::format(
-              "<tr><td>{}</td><td class=v>{}</td><td class=v>{:.6g}</td><td>{}</td></tr>\n",
-              name,
-              before,
-              after,
-              unit);
-        };
-    row("focal length",
-        before_px > 0.0 ? fmt::format("{:.6g}", before_px) : "–",
-        camera->focal_px,
-        "px");
+    const auto row = [&](std::string_view name,
+                         std::string_view key,
+                         double after,
+                         std::string_view unit) {
+      const std::string formula = fmt::format("{}#{}/{}", workspace_file::kCameras, stored.id, key);
+      const std::string before = key != "focal_px" ? traced(0.0, "{:.0f}", "0")
+                                 : before_px <= 0.0
+                                     ? "–"
+                                     : traced(before_px,
+                                              "{:.6g}",
+                                              fmt::format("{}#/stages/reconstruct/result/result/"
+                                                          "initial_focal_px",
+                                                          workspace_file::kRun));
+      body += fmt::format("<tr><td>{}</td><td class=v>{}</td><td class=v>{}</td><td>{}</td></tr>\n",
+                          name,
+                          before,
+                          traced(after, "{:.6g}", formula),
+                          unit);
+    };
+    row("focal length", "focal_px", camera->focal_px, "px");
     row("principal point, x from the centre",
-        "0",
+        "center_x_px",
         camera->principal_point_px.x() + 0.5 - 0.5 * camera->width_px,
         "px");
     row("principal point, y from the centre",
-        "0",
+        "center_y_px",
         camera->principal_point_px.y() + 0.5 - 0.5 * camera->height_px,
         "px");
-    row("k1", "0", camera->k1, "1");
-    row("k2", "0", camera->k2, "1");
-    row("k3", "0", camera->k3, "1");
-    row("p1", "0", camera->p1, "1");
-    row("p2", "0", camera->p2, "1");
+    row("k1", "k1", camera->k1, "1");
+    row("k2", "k2", camera->k2, "1");
+    row("k3", "k3", camera->k3, "1");
+    row("p1", "p1", camera->p1, "1");
+    row("p2", "p2", camera->p2, "1");
     body += "</table>\n" + distortion_chart(*camera);
   }
   if (body.empty()) return std::nullopt;

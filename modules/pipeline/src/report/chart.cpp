@@ -219,6 +219,18 @@ void Chart::upright(double x, std::string_view color, std::string_view label) {
 }
 
 void Chart::legend(std::span<const std::pair<std::string, std::string_view>> entries) {
+  constexpr double kRow_px = 16.0;
+  constexpr double kLetter_px = 6.6;
+  std::size_t longest = 0;
+  for (const auto& entry : entries) longest = std::max(longest, entry.first.size());
+  const double width_px = 30.0 + kLetter_px * static_cast<double>(longest);
+  overlay_ += fmt::format(
+      "<rect x='{:.1f}' y='{:.1f}' width='{:.1f}' height='{:.1f}' fill='#fff' "
+      "fill-opacity='.82'/>\n",
+      width_px_ - kRight_px - width_px,
+      kTop_px,
+      width_px,
+      4.0 + kRow_px * static_cast<double>(entries.size()));
   double y = kTop_px + 14.0;
   for (const auto& [name, color] : entries) {
     overlay_ += fmt::format(
@@ -230,7 +242,7 @@ void Chart::legend(std::span<const std::pair<std::string, std::string_view>> ent
         width_px_ - kRight_px - 20.0,
         y,
         escaped(name));
-    y += 16.0;
+    y += kRow_px;
   }
 }
 

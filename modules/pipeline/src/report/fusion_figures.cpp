@@ -17,16 +17,20 @@ std::optional<Figure> supplement_figure(const Json& metrics) {
   std::string body =
       "<table><tr><th>leaf [m]</th><th>photos [m³]</th><th>fused [m³]</th>"
       "<th>supplement degree [%]</th></tr>\n";
+  std::size_t index = 0;
   for (const Json& row : metrics["supplement"]) {
-    const double before = row.at("vision_volume_m3");
-    const double after = row.at("result_volume_m3");
+    const std::string place = fmt::format("{}#/supplement/{}/", workspace_file::kMetrics, index++);
+    const auto value = [&](std::string_view key, std::string_view format) {
+      return traced(row.at(key).get<double>(), format, place + std::string(key));
+    };
     body += fmt::format(
-        "<tr><td class=v>{:g}</td><td class=v>{:.1f}</td><td class=v>{:.1f}</td>"
-        "<td class=v>{:.2f}</td></tr>\n",
-        row.at("leaf_m").get<double>(),
-        before,
-        after,
-        100.0 * row.at("supplement_degree").get<double>());
+        "<tr><td class=v>{}</td><td class=v>{}</td><td class=v>{}</td><td class=v>{}</td></tr>\n",
+        value("leaf_m", "{:g}"),
+        value("vision_volume_m3", "{:.1f}"),
+        value("result_volume_m3", "{:.1f}"),
+        traced(100.0 * row.at("supplement_degree").get<double>(),
+               "{:.2f}",
+               "100 * " + place + "supplement_degree"));
   }
   return Figure{.id = "supplement-degree",
                 .title = "Supplement degree: what the LiDAR adds",
@@ -69,25 +73,27 @@ std::optional<Figure> boundary_figure(const Json& metrics) {
 std::optional<Figure> baseline_figure(const Json& metrics) {
   if (!metrics.is_object() || !metrics.contains("baselines")) return std::nullopt;
   std::string rows;
-  const auto number = [](const Json& json, std::string_view key) {
+  const auto number = [](const Json& json, std::string_view key, const std::string& place) {
     const auto found = json.find(key);
-    return found != json.end() && found->is_number() ? fmt::format("{:.3f}", found->get<double>())
-                                                     : "–";
+    if (found == json.end() || !found->is_number()) return std::string("–");
+    return traced(found->get<double>(),
+                  "{:.3f}",
+                  fmt::format("{}#/{}{}", workspace_file::kMetrics, place, key));
   };
   rows += fmt::format(
       "<tr><td>{} (this result)</td><td>registered</td><td class=v>{}</td><td "
       "class=v>{}</td></tr>\n",
       escaped(metrics.value("method", "")),
-      number(metrics, "boundary_accuracy_m"),
-      number(metrics, "seconds"));
+      number(metrics, "boundary_accuracy_m", {}),
+      number(metrics, "seconds", {}));
   for (const auto& [name, json] : metrics["baselines"].items()) {
     rows += fmt::format("<tr><td>{}</td><td>{}</td><td class=v>{}</td><td class=v>{}</td></tr>\n",
                         escaped(name),
                         json.contains("error")           ? "failed"
                         : json.value("converged", false) ? "converged"
                                                          : "refused",
-                        number(json, "accuracy_m"),
-                        number(json, "seconds"));
+                        number(json, "accuracy_m", "baselines/" + name + "/"),
+                        number(json, "seconds", "baselines/" + name + "/"));
   }
   return Figure{.id = "baselines",
                 .title = "Against other methods",
@@ -105,6 +111,7 @@ std::optional<Figure> baseline_figure(const Json& metrics) {
 /// The whole result from one side, coloured, or by source.
 std::string picture(const ReportData& data, bool by_source) {
   constexpr int kWidth_px = 1100;
+  constexpr Rgb8 kPaper = {247, 248, 250};
   constexpr double kAzimuth_rad = 205.0 * std::numbers::pi / 180.0;
   constexpr double kElevation_rad = 42.0 * std::numbers::pi / 180.0;
   const Rigid3 shown_from_lidar = data.shown_from_lidar();
@@ -145,7 +152,7 @@ std::string picture(const ReportData& data, bool by_source) {
   if (!data.vision.empty()) draw(data.vision, {88, 150, 210});
   if (data.vision.empty() || both)
     draw(lidar, by_source ? Rgb8{235, 130, 45} : Rgb8{205, 200, 192});
-  return data_uri(splatter.image({247, 248, 250})).value_or("");
+  return data_uri(without_blank_rows(splatter.image(kPaper), kPaper)).value_or("");
 }
 
 Figure picture_figure(const ReportData& data, bool by_source) {

@@ -1,6 +1,7 @@
 #include "html.hpp"
 
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -45,7 +46,6 @@ NameAndUnit split_unit(const std::string& key) {
 }
 
 std::string value_text(const Json& value) {
-  if (value.is_number_float()) return fmt::format("{:.6g}", value.get<double>());
   if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
   if (value.is_null()) return "–";
   if (value.is_string()) return value.get<std::string>();
@@ -53,16 +53,35 @@ std::string value_text(const Json& value) {
   return text.size() <= kMaxArrayText ? text : fmt::format("{} entries", value.size());
 }
 
-void append_rows(const Json& object, const std::string& prefix, std::string& rows) {
+/// A key as part of a JSON pointer (RFC 6901).
+std::string pointer_part(const std::string& key) {
+  std::string part;
+  for (const char c : key) {
+    part += c == '~' ? "~0" : c == '/' ? "~1" : std::string(1, c);
+  }
+  return part;
+}
+
+std::string value_html(const Json& value, const std::string& source) {
+  if (value.is_number_float()) return traced(value.get<double>(), "{:.6g}", source);
+  if (value.is_number()) return traced(value.get<double>(), "{:.0f}", source);
+  return fmt::format("<data title='{}'>{}</data>", escaped(source), escaped(value_text(value)));
+}
+
+void append_rows(const Json& object,
+                 const std::string& prefix,
+                 const std::string& source,
+                 std::string& rows) {
   for (const auto& [key, value] : object.items()) {
     const NameAndUnit label = split_unit(key);
     const std::string path = prefix.empty() ? label.name : prefix + " › " + label.name;
+    const std::string member = source + "/" + pointer_part(key);
     if (value.is_object()) {
-      append_rows(value, path, rows);
+      append_rows(value, path, member, rows);
     } else {
       rows += fmt::format("<tr><td>{}</td><td class=v>{}</td><td>{}</td></tr>\n",
                           escaped(path),
-                          escaped(value_text(value)),
+                          value_html(value, member),
                           value.is_null() ? "" : label.unit);
     }
   }
@@ -96,9 +115,17 @@ std::string escaped(std::string_view text) {
   return result;
 }
 
-std::string html_table(const Json& object) {
+std::string traced(double value, std::string_view format, std::string_view formula) {
+  if (!std::isfinite(value)) return "–";
+  return fmt::format("<data value='{}' title='{}'>{}</data>",
+                     value,
+                     escaped(formula),
+                     fmt::vformat(format, fmt::make_format_args(value)));
+}
+
+std::string html_table(const Json& object, const std::string& source) {
   std::string rows;
-  append_rows(object, {}, rows);
+  append_rows(object, {}, source, rows);
   return "<table><tr><th>figure</th><th>value</th><th>unit</th></tr>\n" + rows + "</table>\n";
 }
 
@@ -119,7 +146,7 @@ svg{display:block;max-width:100%;height:auto;margin:.3rem 0}svg text{font:11px "
 svg .g{stroke:#e3e7eb}svg.map{background:#f4f5f7;border-radius:4px}img.wide{display:block;width:100%;border-radius:4px}
 .ramp{display:flex;align-items:center;font-size:.82rem;margin:.3rem 0}.ramp i{width:12px;height:11px}.ramp span{margin:0 .5rem}.ramp span:first-child{margin-left:0}
 .keys{font-size:.85rem;margin:.3rem 0}.keys span{margin-right:.9rem;white-space:nowrap}.keys i{display:inline-block;width:11px;height:11px;border-radius:2px;margin-right:.35rem}
-details{margin:.4rem 0}summary{cursor:pointer;color:#0969da}footer{margin-top:2rem;color:#6e7781;font-size:.82rem}
+data{cursor:help}details{margin:.4rem 0}summary{cursor:pointer;color:#0969da}footer{margin-top:2rem;color:#6e7781;font-size:.82rem}
 @media print{details{display:none}nav{display:none}}
 )css";
   return fmt::format(

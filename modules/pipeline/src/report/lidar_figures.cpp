@@ -88,7 +88,46 @@ Figure trajectory_figure(const ReportData& data) {
                       workspace_file::kRegistration}};
 }
 
-/// A row of marks for each kind of flag that occurred.
+/// A row of marks for each kind of flag.
+std::string flag_rows(const std::vector<QualityRow>& quality, double length_s) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 10> kFlags = {
+      {{"imu_gap", "IMU gap"},
+       {"saturated", "IMU saturated"},
+       {"lidar_gap", "LiDAR gap"},
+       {"few_points", "few points"},
+       {"unmatched", "unmatched"},
+       {"degenerate", "degenerate"},
+       {"diverged", "diverged"},
+       {"clock_step", "clock step"},
+       {"no_point_times", "no point times"},
+       {"bad_points", "bad points"}}};
+  std::string body = "<svg class=chart viewBox='0 0 720 210' width='720' role=img>\n";
+  double y = 16.0;
+  for (const auto& [flag, title] : kFlags) {
+    std::size_t count = 0;
+    std::string marks;
+    for (const QualityRow& row : quality) {
+      if (("|" + row.flags + "|").find(fmt::format("|{}|", flag)) == std::string::npos) continue;
+      ++count;
+      marks += fmt::format("<rect x='{:.1f}' y='{:.1f}' width=2 height=12 fill='{}'/>",
+                           170.0 + 470.0 * (row.time_s - quality.front().time_s) / length_s,
+                           y - 10.0,
+                           ink::kAlarm);
+    }
+    body += fmt::format(
+        "<text x=160 y='{0:.1f}' text-anchor=end>{1}</text><line class=g x1=170 x2=642 "
+        "y1='{2:.1f}' "
+        "y2='{2:.1f}'/>{3}<text x=652 y='{0:.1f}'>{4}</text>\n",
+        y,
+        title,
+        y - 4.0,
+        marks,
+        count == 0 ? "none" : fmt::format("{} scans", count));
+    y += 20.0;
+  }
+  return body + "</svg>\n";
+}
+
 Figure health_figure(const ReportData& data) {
   const double start_s = data.quality.front().time_s;
   const double length_s = std::max(0.1, data.quality.back().time_s - start_s);
@@ -112,46 +151,9 @@ Figure health_figure(const ReportData& data) {
                720.0,
                170.0);
   points.line(matched, ink::kVision);
-  std::string body = residual.svg() + points.svg();
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 10> kFlags = {
-      {{"imu_gap", "IMU gap"},
-       {"saturated", "IMU saturated"},
-       {"lidar_gap", "LiDAR gap"},
-       {"few_points", "few points"},
-       {"unmatched", "unmatched"},
-       {"degenerate", "degenerate"},
-       {"diverged", "diverged"},
-       {"clock_step", "clock step"},
-       {"no_point_times", "no point times"},
-       {"bad_points", "bad points"}}};
-  body += "<svg class=chart viewBox='0 0 720 210' width='720' role=img>\n";
-  double y = 16.0;
-  for (const auto& [flag, title] : kFlags) {
-    std::size_t count = 0;
-    std::string marks;
-    for (const QualityRow& row : data.quality) {
-      if (("|" + row.flags + "|").find(fmt::format("|{}|", flag)) == std::string::npos) continue;
-      ++count;
-      marks += fmt::format("<rect x='{:.1f}' y='{:.1f}' width=2 height=12 fill='{}'/>",
-                           170.0 + 470.0 * (row.time_s - start_s) / length_s,
-                           y - 10.0,
-                           ink::kAlarm);
-    }
-    body += fmt::format(
-        "<text x=160 y='{0:.1f}' text-anchor=end>{1}</text><line class=g x1=170 x2=642 "
-        "y1='{2:.1f}' "
-        "y2='{2:.1f}'/>{3}<text x=652 y='{0:.1f}'>{4}</text>\n",
-        y,
-        title,
-        y - 4.0,
-        marks,
-        count == 0 ? "none" : fmt::format("{} scans", count));
-    y += 20.0;
-  }
-  body += "</svg>\n";
   return {.id = "lidar-health",
           .title = "LiDAR and IMU health over time",
-          .body = std::move(body),
+          .body = residual.svg() + points.svg() + flag_rows(data.quality, length_s),
           .caption =
               "Residual and number of matched points of each scan; below, when something was "
               "unusual: gaps and saturation of the IMU, missing scans, scans that found no hold. "

@@ -12,8 +12,8 @@ namespace hybridfusion {
 struct Light {
   std::string what = {};
   std::string_view color = {};  ///< "green", "amber" or "red".
-  std::string value = {};
-  std::string limits = {};  ///< What is green and what amber.
+  std::string value = {};       ///< HTML; its numbers name their source.
+  std::string limits = {};      ///< What is green and what amber.
 };
 
 /// The checks that the stages which ran allow, in their order.
@@ -23,7 +23,7 @@ struct Light {
 struct Verdict {
   std::string_view word = {};
   std::string_view color = {};
-  std::string reason = {};
+  std::string reason = {};  ///< HTML.
 };
 [[nodiscard]] Verdict overall_verdict(const ReportData& data, const std::vector<Light>& lights);
 

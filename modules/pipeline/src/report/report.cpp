@@ -6,6 +6,7 @@
 #include <hybridfusion/pipeline/stages.hpp>
 
 #include <algorithm>
+#include <array>
 
 #include <fmt/format.h>
 
@@ -68,17 +69,22 @@ std::string verdict_html(const ReportData& data) {
       "amber</th></tr>\n",
       verdict.color,
       verdict.word,
-      escaped(verdict.reason));
+      verdict.reason);
   for (const Light& light : lights) {
     html +=
         fmt::format("<tr><td>{}</td><td class={}>{}</td><td>{}</td><td class=quiet>{}</td></tr>\n",
                     escaped(light.what),
                     light.color,
                     light.color,
-                    escaped(light.value),
+                    light.value,
                     escaped(light.limits));
   }
   return html + "</table>\n";
+}
+
+void append(std::string& list, std::string_view separator, const std::string& entry) {
+  if (!list.empty()) list += separator;
+  list += entry;
 }
 
 /// Which stages made this report, and which are still to come.
@@ -86,9 +92,7 @@ std::string stages_html(const RunRecord& record) {
   std::string ran;
   std::string missing;
   for (const std::string_view stage : kStages) {
-    std::string& list = record.stages.contains(std::string(stage)) ? ran : missing;
-    if (!list.empty()) list += ", ";
-    list += stage;
+    append(record.stages.contains(std::string(stage)) ? ran : missing, ", ", std::string(stage));
   }
   std::string html = fmt::format("<p class=sub>Ran: {}.", ran.empty() ? "nothing" : ran);
   if (!missing.empty()) html += fmt::format(" Not run: {}.", missing);
@@ -98,6 +102,7 @@ std::string stages_html(const RunRecord& record) {
 std::string cost_html(const RunRecord& record) {
   std::string rows;
   StageCost total;
+  std::array<std::string, 3> sums;
   for (const std::string_view stage : kStages) {
     const auto found = record.stages.find(std::string(stage));
     if (found == record.stages.end()) continue;
@@ -105,26 +110,32 @@ std::string cost_html(const RunRecord& record) {
     total.wall_s += cost.wall_s;
     total.cpu_s += cost.cpu_s;
     total.peak_memory_mib = std::max(total.peak_memory_mib, cost.peak_memory_mib);
+    const auto source = [&](std::string_view key) {
+      return fmt::format("{}#/stages/{}/{}", workspace_file::kRun, stage, key);
+    };
+    append(sums[0], " + ", source("seconds"));
+    append(sums[1], " + ", source("cpu_seconds"));
+    append(sums[2], ", ", source("peak_memory_mib"));
     rows += fmt::format(
-        "<tr><td>{}</td><td class=v>{:.1f}</td><td class=v>{:.1f}</td><td class=v>{:.0f}</td>"
+        "<tr><td>{}</td><td class=v>{}</td><td class=v>{}</td><td class=v>{}</td>"
         "<td class=v>{}</td></tr>\n",
         stage,
-        cost.wall_s,
-        cost.cpu_s,
-        cost.peak_memory_mib,
-        found->second.threads);
+        traced(cost.wall_s, "{:.1f}", source("seconds")),
+        traced(cost.cpu_s, "{:.1f}", source("cpu_seconds")),
+        traced(cost.peak_memory_mib, "{:.0f}", source("peak_memory_mib")),
+        traced(found->second.threads, "{:.0f}", source("threads")));
   }
   if (rows.empty()) return {};
   return fmt::format(
       "<section id=cost><h2>Time and memory</h2><figure id=cost-table><table><tr><th>stage</th>"
       "<th>time [s]</th><th>CPU time [s]</th><th>peak memory [MiB]</th><th>threads</th></tr>\n{}"
-      "<tr class=sum><td>together</td><td class=v>{:.1f}</td><td class=v>{:.1f}</td>"
-      "<td class=v>{:.0f}</td><td></td></tr></table><figcaption><span class=src>Drawn from "
+      "<tr class=sum><td>together</td><td class=v>{}</td><td class=v>{}</td>"
+      "<td class=v>{}</td><td></td></tr></table><figcaption><span class=src>Drawn from "
       "<code>{}</code>.</span></figcaption></figure></section>\n",
       rows,
-      total.wall_s,
-      total.cpu_s,
-      total.peak_memory_mib,
+      traced(total.wall_s, "{:.1f}", sums[0]),
+      traced(total.cpu_s, "{:.1f}", sums[1]),
+      traced(total.peak_memory_mib, "{:.0f}", "max(0, " + sums[2] + ")"),
       workspace_file::kRun);
 }
 
@@ -133,7 +144,11 @@ std::string numbers_html(const RunRecord& record) {
   for (const std::string_view stage : kStages) {
     const Json result = stage_result(record, stage);
     if (!result.is_object()) continue;
-    html += fmt::format("<details><summary>{}</summary>{}</details>\n", stage, html_table(result));
+    html += fmt::format(
+        "<details><summary>{}</summary>{}</details>\n",
+        stage,
+        html_table(result,
+                   fmt::format("{}#/stages/{}/result/result", workspace_file::kRun, stage)));
   }
   if (html.empty()) return {};
   return fmt::format(

@@ -115,6 +115,34 @@ Image8 Splatter::image(Rgb8 background) const {
   return image;
 }
 
+Image8 without_blank_rows(Image8 image, Rgb8 background) {
+  constexpr int kMargin_px = 14;
+  const int stray_px = image.width / 200;
+  const std::size_t row_bytes = 3 * static_cast<std::size_t>(image.width);
+  const auto is_blank = [&](int row) {
+    int drawn = 0;
+    const std::uint8_t* pixel = image.pixels.data() + static_cast<std::size_t>(row) * row_bytes;
+    for (int x = 0; x < image.width && drawn <= stray_px; ++x, pixel += 3) {
+      drawn += std::equal(background.begin(), background.end(), pixel) ? 0 : 1;
+    }
+    return drawn <= stray_px;
+  };
+  int first = 0;
+  int end = image.height;
+  while (first < end && is_blank(first)) ++first;
+  while (end > first && is_blank(end - 1)) --end;
+  if (first == end) return image;
+  first = std::max(0, first - kMargin_px);
+  end = std::min(image.height, end + kMargin_px);
+  const auto at = [&](int row) {
+    return image.pixels.begin() + static_cast<std::ptrdiff_t>(row_bytes) * row;
+  };
+  image.pixels.erase(at(end), image.pixels.end());
+  image.pixels.erase(image.pixels.begin(), at(first));
+  image.height = end - first;
+  return image;
+}
+
 std::string base64(std::string_view bytes) {
   constexpr std::string_view kDigits =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";

@@ -42,6 +42,10 @@ class Splatter {
   std::vector<Rgb8> color_;
 };
 
+/// The picture without the rows above and below what is drawn, a narrow margin left; an oblique
+/// view of a flat scene is mostly air. Rows with a few stray points count as blank.
+[[nodiscard]] Image8 without_blank_rows(Image8 image, Rgb8 background);
+
 /// "data:image/jpeg;base64,...". @returns kIo when the picture cannot be encoded.
 [[nodiscard]] Expected<std::string> data_uri(const Image8& image);
 [[nodiscard]] std::string base64(std::string_view bytes);

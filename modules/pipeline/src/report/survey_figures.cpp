@@ -190,7 +190,7 @@ std::optional<Figure> position_figure(const ReportData& data) {
       .title = "Camera positions: estimated against GNSS",
       .body = map.svg(),
       .caption = fmt::format(
-          "Blue: estimated by bundle adjustment; grey: towards the GNSS position, differences "
+          "Blue: estimated; grey: towards the GNSS position, differences "
           "drawn {:.0f} times as long. Median {:.2f} m, largest {:.2f} m. Lines that all point one "
           "way or turn about a centre tell of a systematic error.",
           zoom,
@@ -234,17 +234,19 @@ std::optional<Figure> residual_figure(const ReportData& data) {
                        kAxes[static_cast<std::size_t>(axis)],
                        std::sqrt(sum / static_cast<double>(gaps_m.size())));
   }
-  return Figure{.id = "gnss-residuals",
-                .title = "GNSS residuals of the photos, per axis",
-                .body = std::move(body),
-                .caption = fmt::format(
-                    "Estimated less measured position of each photo; rms {}. Bands: one standard "
-                    "deviation as estimated from the residuals, {:.3f} m horizontal and {:.3f} m "
-                    "vertical.",
-                    rms,
-                    sigma_h,
-                    sigma_v),
-                .sources = {workspace_file::kPositions, workspace_file::kRun}};
+  return Figure{
+      .id = "gnss-residuals",
+      .title = "GNSS residuals of the photos, per axis",
+      .body = std::move(body),
+      .caption = fmt::format(
+          "Estimated less measured position of each photo; rms {}.{}",
+          rms,
+          sigma_h > 0.0 ? fmt::format(" Bands: one standard deviation as estimated from the "
+                                      "residuals, {:.3f} m horizontal and {:.3f} m vertical.",
+                                      sigma_h,
+                                      sigma_v)
+                        : std::string()),
+      .sources = {workspace_file::kPositions, workspace_file::kRun}};
 }
 
 }  // namespace

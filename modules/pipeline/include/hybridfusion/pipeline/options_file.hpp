@@ -21,6 +21,9 @@ struct PipelineOptions;
 /// The options as YAML that load_options reads back.
 [[nodiscard]] std::string to_yaml(const PipelineOptions& options);
 
+/// The same as one JSON object, which to_yaml's readers read, too.
+[[nodiscard]] std::string to_json(const PipelineOptions& options);
+
 /// Reference table of every option in Markdown: default, unit, range, meaning, source.
 [[nodiscard]] std::string options_reference();
 

@@ -59,7 +59,8 @@ struct RegistrationResult {
   /// refused result only as "the best that was found".
   Rigid3 vision_from_lidar = {};
   PoseCovariance covariance = PoseCovariance::Zero();  ///< Tangent order and side of Rigid3.
-  double confidence = 0.0;                             ///< In [0, 1]; 0 when refused.
+  /// What the evidence leaves, in [0, 1]; below min_confidence, or 0, when refused.
+  double confidence = 0.0;
   /// Metres of LiDAR per metre of vision: multiply vision coordinates by it to get their true size.
   /// 1 when the scale is not supported.
   double vision_scale = 1.0;
