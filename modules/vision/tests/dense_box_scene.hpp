@@ -208,6 +208,7 @@ inline DepthMap perfect_depths(const BoxScene& scene,
   map.depth_m = {c.width_px, c.height_px, std::numeric_limits<float>::quiet_NaN()};
   map.sigma_m = {c.width_px, c.height_px, static_cast<float>(sigma_m)};
   map.rgb = {c.width_px, c.height_px};
+  map.num_pairs = {c.width_px, c.height_px, 1};
   map.mask = {c.width_px, c.height_px, 255};
   for (int y = 0; y < c.height_px; ++y) {
     for (int x = 0; x < c.width_px; ++x) {

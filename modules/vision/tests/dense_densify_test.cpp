@@ -82,7 +82,7 @@ TEST(Densify, NormalsPointToThePhotosAndEveryPointHasItsSigma) {
   int flat = 0;
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     EXPECT_GT(cloud.sigmas_m[i], 0.0F);
-    EXPECT_GE(cloud.confidences[i], 2.0F);
+    EXPECT_GE(cloud.confidences[i], 1.0F);
     if (std::abs(cloud.points[i].z()) > 0.2F) continue;
     ++flat;
     upright += cloud.normals[i].z() > 0.8F ? 1 : 0;

@@ -109,6 +109,17 @@ TEST(DepthConsistency, APhotoWithoutSupportKeepsNothing) {
   EXPECT_EQ(count_depths(testing::checked(photos.maps, 0).depth_m), 0);
 }
 
+TEST(DepthConsistency, ASecondPairOfThePhotoConfirmsADepthAsWellAsAnotherMap) {
+  FourPhotos photos;
+  for (std::size_t v = 1; v < 4; ++v) {
+    std::ranges::fill(photos.maps[v].depth_m.values, kNone);
+  }
+  std::ranges::fill(photos.maps[0].num_pairs.values, std::uint8_t{2});
+  const auto before = count_depths(photos.maps[0].depth_m);
+  EXPECT_GT(count_depths(testing::checked(photos.maps, 0).depth_m), 0.75 * before);
+  EXPECT_EQ(count_depths(testing::checked(photos.maps, 0, {.min_supporting_views = 2}).depth_m), 0);
+}
+
 TEST(DepthConsistency, DropsDepthsWhereNoOtherPhotoLooksAlike) {
   FourPhotos photos;
   for (std::size_t v = 1; v < 4; ++v) {

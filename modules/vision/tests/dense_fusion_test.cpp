@@ -27,6 +27,7 @@ DepthMap true_depth_map(const DenseScene& scene, std::uint32_t view) {
   map.enu_from_camera = *scene.reconstruction.views[view].enu_from_camera;
   map.depth_m = {camera.width_px, camera.height_px};
   map.sigma_m = {camera.width_px, camera.height_px, 0.05F};
+  map.num_pairs = {camera.width_px, camera.height_px, 1};
   map.mask = {camera.width_px, camera.height_px, 255};
   map.rgb = {camera.width_px, camera.height_px};
   const Image8 image = testing::render(camera, map.enu_from_camera);

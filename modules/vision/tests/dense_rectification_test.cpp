@@ -160,5 +160,45 @@ TEST(Rectification, RefusesOneCentreForwardMotionAndPhotosThatShareNothing) {
   EXPECT_FALSE(refused(testing::looking({5, 0, 50}, kDown, 0.0)));
 }
 
+TEST(UndistortedGrid, EnclosesThePhotoOfABarrelLensAndNoMore) {
+  const CameraIntrinsics barrel{.width_px = 800,
+                                .height_px = 600,
+                                .focal_px = 1000.0,
+                                .principal_point_px = {395.0, 304.0},
+                                .k1 = -0.4,
+                                .k2 = 0.3};
+  const PinholeGrid grid = undistorted_grid(barrel);
+  Eigen::Vector2d low(1e9, 1e9);
+  Eigen::Vector2d high(-1e9, -1e9);
+  for (int x = 0; x < 800; ++x) {
+    for (int y = 0; y < 600; ++y) {
+      const Eigen::Vector2d at = pixel_of(grid, unproject(barrel, {x, y}).homogeneous());
+      low = low.cwiseMin(at);
+      high = high.cwiseMax(at);
+    }
+  }
+  EXPECT_NEAR(low.x(), 0.5, 0.5);
+  EXPECT_NEAR(low.y(), 0.5, 0.5);
+  EXPECT_NEAR(high.x(), grid.width_px - 1.5, 0.5);
+  EXPECT_NEAR(high.y(), grid.height_px - 1.5, 0.5);
+  EXPECT_GT(grid.width_px, 850);
+}
+
+TEST(UndistortedGrid, IsThePhotoItselfWithoutDistortionAndStaysSmallWhateverTheLens) {
+  CameraIntrinsics camera{
+      .width_px = 800, .height_px = 600, .focal_px = 900.0, .principal_point_px = {395.0, 304.0}};
+  const PinholeGrid same = undistorted_grid(camera);
+  EXPECT_EQ(same.width_px, 800);
+  EXPECT_EQ(same.height_px, 600);
+  EXPECT_NEAR((same.principal_point_px - camera.principal_point_px).norm(), 0.0, 1e-9);
+  for (const double k1 : {-3.0, 3.0}) {
+    camera.k1 = k1;
+    const PinholeGrid grid = undistorted_grid(camera);
+    EXPECT_LE(grid.width_px, 1202) << k1;
+    EXPECT_LE(grid.height_px, 902) << k1;
+    EXPECT_GT(grid.width_px, 100) << k1;
+  }
+}
+
 }  // namespace
 }  // namespace hybridfusion

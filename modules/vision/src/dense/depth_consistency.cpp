@@ -39,6 +39,7 @@ struct Seen {
   float depth_m = kNothing;  // carried over to the reference's own ray, when it supports
   float sigma_m = 0.0F;
   bool looks_through = false;
+  bool has_depth = false;  // of its own, whether it supports or not
 };
 
 /// Grey value between pixels; nothing outside the photo.
@@ -107,6 +108,7 @@ Seen Band::look_at(int x, int y) const {
   seen.grey = grey_at(map, u, v);
   const std::optional<double> theirs = depth_at(map, {u, v});
   if (!theirs) return seen;
+  seen.has_depth = true;
   const int column = static_cast<int>(std::floor(u + 0.5F));
   const int row = static_cast<int>(std::floor(v + 0.5F));
   const float own_sigma = reference_.sigma_m.at(x, y);
@@ -161,15 +163,21 @@ std::optional<float> Band::correlation(int x, int y) const {
   return variance > 1e-3F ? (ab - a * b / n) / std::sqrt(variance) : 0.0F;
 }
 
-/// Photos that were not matched with the reference judge first; its partners only where no other
-/// photo sees the point.
+/// Photos that have the depth and were not matched with the reference judge first, then its
+/// partners that have it, then photos that know no depth there.
 bool looks_alike(std::span<const Band> bands, int x, int y, double min_correlation) {
   constexpr int kMaxJudges = 3;
-  for (const bool partners : {false, true}) {
+  enum class Judge { kOther, kPartner, kWithoutDepth };
+  const auto kind_of = [&](const Band& band) -> std::optional<Judge> {
+    const Seen& seen = band.at(x, y);
+    if (!seen.has_depth) return Judge::kWithoutDepth;
+    if (std::isnan(seen.depth_m)) return std::nullopt;
+    return band.other().is_partner ? Judge::kPartner : Judge::kOther;
+  };
+  for (const Judge kind : {Judge::kOther, Judge::kPartner, Judge::kWithoutDepth}) {
     int judges = 0;
     for (const Band& band : bands) {
-      if (band.other().is_partner != partners || judges == kMaxJudges) continue;
-      if (std::isnan(band.at(x, y).depth_m)) continue;
+      if (judges == kMaxJudges || kind_of(band) != kind) continue;
       const std::optional<float> value = band.correlation(x, y);
       if (!value) continue;
       if (*value >= min_correlation) return true;
@@ -194,7 +202,9 @@ std::optional<DepthGuess> checked_depth(const DepthMap& reference,
     if (seen.looks_through) ++violations;
     if (!std::isnan(seen.depth_m)) supporting.push_back({seen.depth_m, seen.sigma_m});
   }
-  const int support = static_cast<int>(supporting.size()) - 1;
+  // A second pair of the reference is a second photo that agrees.
+  const int other_pairs = reference.num_pairs.at(x, y) - 1;
+  const int support = static_cast<int>(supporting.size()) - 1 + other_pairs;
   if (support < options.min_supporting_views || support <= violations) return std::nullopt;
   if (!looks_alike(bands, x, y, options.min_correlation)) return std::nullopt;
   return merge_guesses(supporting);

@@ -1,24 +1,21 @@
 #include "depth_fusion.hpp"
 
+#include "cloud_sheet.hpp"
+#include "voxel_choice.hpp"
+
 #include <hybridfusion/core/error.hpp>
-#include <hybridfusion/core/parallel.hpp>
-#include <hybridfusion/geometry/kd_tree.hpp>
-#include <hybridfusion/geometry/normals.hpp>
 #include <hybridfusion/geometry/voxel_grid.hpp>
 
-#include <algorithm>
+#include <cmath>
 #include <utility>
+#include <vector>
 
 namespace hybridfusion {
 namespace {
 
 /// The cloud with `normals` holding the direction to the photos until real normals replace them.
 PointCloud cloud_of(const VoxelTable& voxels, double voxel_m, int min_count) {
-  std::vector<const VoxelSums*> kept;
-  voxels.for_each([&](const VoxelSums& sums) {
-    if (sums.count >= min_count) kept.push_back(&sums);
-  });
-  std::ranges::sort(kept, {}, &VoxelSums::key);
+  const std::vector<const VoxelSums*> kept = choose_voxels(voxels, min_count);
   PointCloud cloud;
   cloud.points.reserve(kept.size());
   cloud.normals.reserve(kept.size());
@@ -41,39 +38,6 @@ PointCloud cloud_of(const VoxelTable& voxels, double voxel_m, int min_count) {
     cloud.confidences.push_back(static_cast<float>(sums->count));
   }
   return cloud;
-}
-
-/// Normals from the neighbourhoods, turned towards the photos. Points whose mean distance to their
-/// neighbours is far above the average are specks in the air and left out.
-PointCloud with_normals(PointCloud cloud, const RunContext& ctx) {
-  constexpr std::size_t kNeighbors = 16;
-  constexpr double kMaxSigmas = 3.0;
-  const KdTree tree(cloud.points);
-  std::vector<float> distance(cloud.size(), 0.0F);
-  parallel_for(ctx, cloud.size(), 4096, [&](std::size_t begin, std::size_t end) {
-    std::vector<Neighbor> neighbors;
-    for (std::size_t i = begin; i < end; ++i) {
-      tree.nearest(cloud.points[i], kNeighbors + 1, neighbors);
-      for (const Neighbor& n : neighbors) distance[i] += std::sqrt(n.squared_distance_m2);
-      const Eigen::Vector3f normal = shape_of(cloud.points, neighbors).normal;
-      cloud.normals[i] = normal.dot(cloud.normals[i]) < 0.0F ? Eigen::Vector3f(-normal) : normal;
-    }
-  });
-  if (cloud.size() <= kNeighbors) return cloud;
-  double sum = 0.0;
-  double squares = 0.0;
-  for (const double d : distance) {
-    sum += d;
-    squares += d * d;
-  }
-  const auto count = static_cast<double>(distance.size());
-  const double mean = sum / count;
-  const double deviation = std::sqrt(std::max(0.0, squares / count - mean * mean));
-  std::vector<std::size_t> kept;
-  for (std::size_t i = 0; i < distance.size(); ++i) {
-    if (distance[i] <= mean + kMaxSigmas * deviation) kept.push_back(i);
-  }
-  return kept.size() == cloud.size() ? cloud : select(cloud, kept);
 }
 
 }  // namespace
@@ -107,7 +71,7 @@ void DepthFusion::add(const DepthMap& map) {
 PointCloud DepthFusion::finish(int min_depths, const RunContext& ctx) {
   PointCloud cloud = cloud_of(voxels_, voxel_m_, min_depths);
   voxels_ = {};  // as large as the cloud
-  return with_normals(std::move(cloud), ctx);
+  return one_sheet(std::move(cloud), ctx);
 }
 
 }  // namespace hybridfusion

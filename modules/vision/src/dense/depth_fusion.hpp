@@ -14,9 +14,8 @@ class DepthFusion {
  public:
   explicit DepthFusion(double voxel_m);
   void add(const DepthMap& map);
-  /// The cloud of all maps, in ascending voxel order. Voxels of fewer than `min_depths` depths and
-  /// statistical outliers are dropped; normals come from the neighbourhood, turned towards the
-  /// photos. Leaves the object empty.
+  /// The cloud of all maps, in ascending voxel order: see choose_voxels() on those of fewer than
+  /// `min_depths` depths and one_sheet() on positions, normals and sigmas. Leaves the object empty.
   [[nodiscard]] PointCloud finish(int min_depths, const RunContext& ctx);
 
  private:

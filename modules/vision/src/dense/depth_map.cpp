@@ -56,10 +56,13 @@ DepthGuess merge_guesses(const std::vector<DepthGuess>& guesses) {
     }
   }
   double sum = 0.0;
+  int count = 0;
   for (const DepthGuess& g : guesses) {
-    if (agree(g, *best)) sum += weight(g) * g.depth_m;
+    if (!agree(g, *best)) continue;
+    sum += weight(g) * g.depth_m;
+    ++count;
   }
-  return {.depth_m = sum / best_support, .sigma_m = 1.0 / std::sqrt(best_support)};
+  return {.depth_m = sum / best_support, .sigma_m = 1.0 / std::sqrt(best_support), .count = count};
 }
 
 void drop_far_depths(DepthMap& map, double max_depth_m) {

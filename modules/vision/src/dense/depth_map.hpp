@@ -24,6 +24,7 @@ struct DepthMap {
   double disparity_sigma_px = 0.25;  ///< Of one pair's disparities: what `sigma_m` starts from.
   ImagePlane<float> depth_m = {};    ///< Along the optical axis; NaN where there is none.
   ImagePlane<float> sigma_m = {};
+  ImagePlane<std::uint8_t> num_pairs = {};  ///< Partners that gave this depth.
   ImagePlane<Rgb8> rgb = {};
   ImagePlane<std::uint8_t> grey = {};           ///< grey_plane(rgb)
   ImagePlane<std::uint8_t> mask = {};           ///< 0 where the photo has no data.
@@ -48,6 +49,7 @@ struct DepthMap {
 struct DepthGuess {
   double depth_m = 0.0;
   double sigma_m = 0.0;
+  int count = 1;  ///< Guesses that were merged.
 };
 
 /// Inverse-variance mean of the guesses that agree with the best supported one (within three

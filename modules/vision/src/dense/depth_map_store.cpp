@@ -12,6 +12,7 @@ template <class Map, class Visit>
 void for_each_plane(Map& map, Visit&& visit) {
   visit(map.depth_m);
   visit(map.sigma_m);
+  visit(map.num_pairs);
   visit(map.rgb);
   visit(map.grey);
   visit(map.mask);

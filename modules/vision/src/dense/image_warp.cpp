@@ -132,10 +132,36 @@ cv::Mat resample(const cv::Mat& photo, const WarpMap& map) {
 }
 
 PinholeGrid undistorted_grid(const CameraIntrinsics& intrinsics) {
-  return {.width_px = intrinsics.width_px,
-          .height_px = intrinsics.height_px,
+  constexpr int kSteps = 32;
+  constexpr double kMaxGrowth = 1.5;  // a distortion that moves the border farther is not real
+  constexpr double kRounding_px = 1e-3;
+  const Eigen::Vector2d last(intrinsics.width_px - 1, intrinsics.height_px - 1);
+  const Eigen::Vector2d middle = 0.5 * last;
+  Eigen::Vector2d low = middle;
+  Eigen::Vector2d high = middle;
+  const auto enclose = [&](double x_share, double y_share) {
+    const Eigen::Vector2d pixel = last.cwiseProduct(Eigen::Vector2d(x_share, y_share));
+    Eigen::Vector2d at =
+        intrinsics.principal_point_px + intrinsics.focal_px * unproject(intrinsics, pixel);
+    if (!at.allFinite()) at = pixel;  // the model folds before the border
+    low = low.cwiseMin(at);
+    high = high.cwiseMax(at);
+  };
+  for (int i = 0; i <= kSteps; ++i) {
+    const double share = static_cast<double>(i) / kSteps;
+    enclose(share, 0.0);
+    enclose(share, 1.0);
+    enclose(0.0, share);
+    enclose(1.0, share);
+  }
+  low = low.cwiseMax(middle - kMaxGrowth * middle);
+  high = high.cwiseMin(middle + kMaxGrowth * middle);
+  const Eigen::Vector2i first = (low.array() + kRounding_px).floor().cast<int>();
+  const Eigen::Vector2i end = (high.array() - kRounding_px).ceil().cast<int>() + 1;
+  return {.width_px = end.x() - first.x(),
+          .height_px = end.y() - first.y(),
           .focal_px = intrinsics.focal_px,
-          .principal_point_px = intrinsics.principal_point_px};
+          .principal_point_px = intrinsics.principal_point_px - first.cast<double>()};
 }
 
 }  // namespace hybridfusion

@@ -40,7 +40,8 @@ struct WarpMap {
 /// The photo at the positions of the map, bilinear.
 [[nodiscard]] cv::Mat resample(const cv::Mat& photo, const WarpMap& map);
 
-/// The undistorted grid that covers a photo at about its own resolution, same axes as the camera.
+/// The undistorted grid that encloses a whole photo at about its own resolution, same axes as the
+/// camera: larger than the photo for a barrel lens, with pixels without data along its border.
 [[nodiscard]] PinholeGrid undistorted_grid(const CameraIntrinsics& intrinsics);
 
 }  // namespace hybridfusion

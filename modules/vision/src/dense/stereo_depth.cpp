@@ -175,6 +175,7 @@ void merge_pairs(const std::vector<PairDepths>& pairs, DepthMap& map) {
     const DepthGuess merged = merge_guesses(guesses);
     map.depth_m.values[i] = static_cast<float>(merged.depth_m);
     map.sigma_m.values[i] = static_cast<float>(merged.sigma_m);
+    map.num_pairs.values[i] = static_cast<std::uint8_t>(merged.count);
   }
 }
 
@@ -188,6 +189,7 @@ DepthMap empty_map(const Reconstruction& reconstruction,
   map.overlapping = overlapping_views(reconstruction, reference, kMaxOverlapping);
   map.depth_m = {map.grid.width_px, map.grid.height_px, std::numeric_limits<float>::quiet_NaN()};
   map.sigma_m = {map.grid.width_px, map.grid.height_px, 0.0F};
+  map.num_pairs = {map.grid.width_px, map.grid.height_px, 0};
   map.rgb = {map.grid.width_px, map.grid.height_px};
   const WarpMap from_photo = warp_map(image.intrinsics, map.grid, Eigen::Quaterniond::Identity());
   const cv::Mat undistorted = resample(image.rgb, from_photo);

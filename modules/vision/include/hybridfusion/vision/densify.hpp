@@ -21,9 +21,10 @@ namespace hybridfusion {
 /// a
 ///                name; empty: all stay in memory. The result is the same.
 /// @returns       Points in the ENU frame of `reconstruction` with normals (towards the photos),
-///                colours, `sigmas_m` (along the ray) and `confidences` (number of depths that were
-///                merged), in ascending voxel order. kInsufficient when fewer than two photos are
-///                registered or no pair can be matched; kIo for the scratch folder; kCancelled.
+///                colours, `sigmas_m` (from matching and from the scatter of the neighbours) and
+///                `confidences` (number of depths that were merged), in ascending voxel order.
+///                kInsufficient when fewer than two photos are registered or no pair can be
+///                matched; kIo for the scratch folder; kCancelled.
 [[nodiscard]] Expected<PointCloud> densify(std::span<const Photo> photos,
                                            const Reconstruction& reconstruction,
                                            const DensifyOptions& options,

@@ -15,7 +15,7 @@ struct StereoOptions {
   int smoothness_large = 60;
   double uniqueness = 0.03;
   double max_left_right_px = 1.0;
-  double min_texture_grey = 2.0;
+  double min_texture_grey = 1.0;
   int min_segment_px = 100;
   double max_vertical_parallax_px = 1.0;
   double disparity_sigma_px = 0.25;
@@ -150,7 +150,8 @@ struct OptionFields<DepthCheckOptions> {
              .unit = "photos",
              .min = 1,
              .max = 10,
-             .doc = "Other depth maps that must agree with a depth.",
+             .doc = "Other depth maps, or further stereo partners of the photo, that must agree "
+                    "with a depth.",
              .source = "HybridFusion III-A.2; value ours"}},
       Field{&T::min_correlation,
             {.key = "min_correlation",
@@ -243,7 +244,8 @@ struct OptionFields<DensifyOptions> {
              .unit = "points",
              .min = 1,
              .max = 100,
-             .doc = "Voxels with fewer depths are dropped.",
+             .doc = "Voxels with fewer depths are dropped, except where photos sample a surface so "
+                    "thinly that its other voxels hold few as well.",
              .source = "ours"}},
       Field{
           &T::max_gsd_ratio,

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <hybridfusion/core/point_cloud.hpp>
+#include <hybridfusion/core/run_context.hpp>
+
+namespace hybridfusion {
+
+/// Makes one sheet of the points of a surface. Each point moves along the local normal onto the
+/// inverse-variance mean of its 16 nearest ones where these are flat; at corners and in leaves it
+/// stays. Normals come from the same neighbourhood, `sigmas_m` from the point's own and from how
+/// far its neighbours leave their plane. Points whose mean distance to their neighbours is far
+/// above the average are specks in the air and left out.
+/// @pre `normals` hold the direction to the photos, which the normals will have; `sigmas_m` the
+/// deviations that matching leads to
+[[nodiscard]] PointCloud one_sheet(PointCloud cloud, const RunContext& ctx);
+
+}  // namespace hybridfusion
