@@ -71,8 +71,9 @@ std::string verdict_table(const StoredRegistration& pose, const Json& json) {
     const Json& level = json["level"];
     fact("tilt of the photo model",
          level.value("corrected", false)
-             ? fmt::format("{}° against gravity in the LiDAR map, levelled in the fused cloud",
-                           traced(level.value("tilt_deg", 0.0), "{:.3f}", source_of("level/tilt_deg")))
+             ? fmt::format(
+                   "{}° against gravity in the LiDAR map, levelled in the fused cloud",
+                   traced(level.value("tilt_deg", 0.0), "{:.3f}", source_of("level/tilt_deg")))
              : "kept: " + escaped(level.value("reason", std::string())));
   }
   return body + "</table>\n";
