@@ -103,7 +103,7 @@ void add_georeference_light(const ReportData& data, std::vector<Light>& lights) 
                    escaped(verdict),
                    member(data.reconstruct, "scale_sigma", "{:.2f}", "reconstruct", 100.0),
                    member(data.reconstruct, "tilt_sigma_deg", "{:.2f}", "reconstruct"),
-                   rescaled ? "; the fused cloud has the scale of the LiDAR" : ""),
+                   rescaled ? "; scale taken from the LiDAR" : ""),
        "0.5 % and 0.5°, 1 % and 1°"});
 }
 
