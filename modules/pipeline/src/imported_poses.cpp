@@ -124,13 +124,17 @@ void add_points(const ColmapModel& model,
   }
 }
 
+std::vector<PhotoMetadata> metadata_of(std::span<const Photo> photos) {
+  std::vector<PhotoMetadata> metadata;
+  for (const Photo& photo : photos) metadata.push_back(photo.metadata);
+  return metadata;
+}
+
 /// Puts the reconstruction into the plane of the photos' own positions.
 Expected<void> place_by_photos(std::span<const Photo> photos,
                                const GnssOptions& options,
                                Reconstruction& reconstruction) {
-  std::vector<PhotoMetadata> metadata;
-  for (const Photo& photo : photos) metadata.push_back(photo.metadata);
-  HF_TRY(const GnssIngest gnss, ingest_gnss(metadata, options));
+  HF_TRY(const GnssIngest gnss, ingest_gnss(metadata_of(photos), options));
   std::vector<Eigen::Vector3d> target;
   std::vector<Eigen::Vector3d> source;
   for (std::size_t i = 0; i < photos.size(); ++i) {
@@ -154,6 +158,19 @@ Expected<void> place_by_photos(std::span<const Photo> photos,
   reconstruction.origin = gnss.origin;
   reconstruction.warnings = gnss.warnings;
   return {};
+}
+
+/// Notes where GNSS saw the photos of a model that has its place already.
+void note_positions(std::span<const Photo> photos,
+                    const GnssOptions& options,
+                    Reconstruction& reconstruction) {
+  const auto gnss = ingest_gnss(metadata_of(photos), options);
+  if (!gnss) return;  // the photos know nothing of their place
+  const Rigid3 enu_from_gnss = enu_from_enu(reconstruction.origin, gnss->origin);
+  for (std::size_t i = 0; i < photos.size(); ++i) {
+    const auto& position = gnss->fixes[i].position_in_enu;
+    if (position) reconstruction.views[i].gnss_in_enu = enu_from_gnss * *position;
+  }
 }
 
 void measure_quality(Reconstruction& reconstruction) {
@@ -217,6 +234,7 @@ Expected<Reconstruction> import_poses(const std::filesystem::path& folder,
   std::error_code code;
   if (std::filesystem::exists(folder / kOriginFile, code)) {
     HF_TRY(reconstruction.origin, read_origin(folder / kOriginFile));
+    note_positions(photos, options, reconstruction);
   } else if (auto placed = place_by_photos(photos, options, reconstruction); !placed) {
     return std::unexpected(placed.error());
   }

@@ -80,45 +80,59 @@ double path_length_m(const Trajectory& trajectory) {
   return length_m;
 }
 
+struct Residuals {
+  std::ptrdiff_t num_flagged = 0;
+  double mean_m = 0.0;
+};
+
+Residuals residuals_of(const std::vector<ScanQuality>& quality) {
+  Residuals residuals{.num_flagged = std::ranges::count_if(
+                          quality, [](const ScanQuality& scan) { return scan.flags != 0; })};
+  for (const ScanQuality& scan : quality) residuals.mean_m += scan.mean_residual_m;
+  residuals.mean_m /= std::max<double>(1.0, static_cast<double>(quality.size()));
+  return residuals;
+}
+
+Json json_of(const MappingResult& mapping, const RecordingSummary& recording, const Json& gnss) {
+  const Residuals residuals = residuals_of(mapping.quality);
+  return {{"recording_format", recording.format},
+          {"recording_truncated", recording.truncated},
+          {"lidar_topic", recording.lidar_topic},
+          {"imu_topic", recording.imu_topic},
+          {"gnss_topic", recording.gnss_topic},
+          {"point_time", recording.point_time},
+          {"num_scans", mapping.trajectory.poses.size()},
+          {"num_flagged_scans", residuals.num_flagged},
+          {"num_unmatched_scans", mapping.odometry.num_unmatched_scans},
+          {"num_degenerate_scans", mapping.odometry.num_degenerate_scans},
+          {"num_imu_gaps", mapping.odometry.num_imu_gaps},
+          {"num_lidar_gaps", mapping.odometry.num_lidar_gaps},
+          {"longest_blind_s", mapping.longest_blind_s},
+          {"num_damaged_messages", recording.num_damaged_messages},
+          {"path_m", path_length_m(mapping.trajectory)},
+          {"mean_residual_m", residuals.mean_m},
+          {"num_map_points", mapping.num_map_points},
+          {"num_loops", mapping.num_loops},
+          {"loops_applied", mapping.loops_applied},
+          {"max_loop_error_m", mapping.max_loop_error_m},
+          {"refine_iterations", mapping.refine_iterations},
+          {"refine_rms_before_m", mapping.refine_rms_before_m},
+          {"refine_rms_after_m", mapping.refine_rms_after_m},
+          {"gnss", gnss},
+          {"warnings", mapping.warnings}};
+}
+
 StageResult describe(const MappingResult& mapping,
                      const RecordingSummary& recording,
                      const Json& gnss) {
-  const auto flagged = std::ranges::count_if(
-      mapping.quality, [](const ScanQuality& quality) { return quality.flags != 0; });
-  double residual_m = 0.0;
-  for (const ScanQuality& quality : mapping.quality) residual_m += quality.mean_residual_m;
-  residual_m /= std::max<double>(1.0, static_cast<double>(mapping.quality.size()));
-  const Json json = {{"recording_format", recording.format},
-                     {"recording_truncated", recording.truncated},
-                     {"lidar_topic", recording.lidar_topic},
-                     {"imu_topic", recording.imu_topic},
-                     {"gnss_topic", recording.gnss_topic},
-                     {"point_time", recording.point_time},
-                     {"num_scans", mapping.trajectory.poses.size()},
-                     {"num_flagged_scans", flagged},
-                     {"num_unmatched_scans", mapping.odometry.num_unmatched_scans},
-                     {"num_degenerate_scans", mapping.odometry.num_degenerate_scans},
-                     {"num_imu_gaps", mapping.odometry.num_imu_gaps},
-                     {"num_lidar_gaps", mapping.odometry.num_lidar_gaps},
-                     {"longest_blind_s", mapping.longest_blind_s},
-                     {"num_damaged_messages", recording.num_damaged_messages},
-                     {"path_m", path_length_m(mapping.trajectory)},
-                     {"mean_residual_m", residual_m},
-                     {"num_map_points", mapping.num_map_points},
-                     {"num_loops", mapping.num_loops},
-                     {"loops_applied", mapping.loops_applied},
-                     {"max_loop_error_m", mapping.max_loop_error_m},
-                     {"refine_iterations", mapping.refine_iterations},
-                     {"refine_rms_before_m", mapping.refine_rms_before_m},
-                     {"refine_rms_after_m", mapping.refine_rms_after_m},
-                     {"gnss", gnss},
-                     {"warnings", mapping.warnings}};
-  StageResult result{.refused = !mapping.reliable, .json = to_text(json)};
+  const Residuals residuals = residuals_of(mapping.quality);
+  StageResult result{.refused = !mapping.reliable,
+                     .json = to_text(json_of(mapping, recording, gnss))};
   result.summary = {fmt::format("{} scans located over {:.0f} m, {} flagged, residual {:.3f} m",
                                 mapping.trajectory.poses.size(),
                                 path_length_m(mapping.trajectory),
-                                flagged,
-                                residual_m),
+                                residuals.num_flagged,
+                                residuals.mean_m),
                     fmt::format("{} map points", mapping.num_map_points)};
   if (mapping.num_loops > 0) {
     result.summary.push_back(

@@ -82,6 +82,12 @@ double focal_change_of(const Reconstruction& reconstruction) {
   return initial_px > 0.0 ? focal_px_of(reconstruction) / initial_px - 1.0 : 0.0;
 }
 
+bool has_gnss(const Reconstruction& reconstruction) {
+  return std::ranges::any_of(reconstruction.views, [](const View& view) {
+    return view.enu_from_camera && view.gnss_in_enu;
+  });
+}
+
 /// Only bundle adjustment knows these.
 void add_adjustment(const Reconstruction& reconstruction, Json& json) {
   const ReconstructionQuality& quality = reconstruction.quality;
@@ -117,12 +123,14 @@ Json json_of(const Reconstruction& reconstruction,
                {"mean_reprojection_px", quality.mean_reprojection_px},
                {"median_reprojection_px", quality.median_reprojection_px},
                {"focal_px", focal_px_of(reconstruction)},
-               {"gnss_horizontal_rms_m", quality.gnss_horizontal_rms_m},
-               {"gnss_vertical_rms_m", quality.gnss_vertical_rms_m},
                {"georeference", georeference_json(quality, source)},
                {"georeferenced", reconstruction.georeferenced},
                {"control", control_json(reconstruction.control)},
                {"warnings", reconstruction.warnings}};
+  if (has_gnss(reconstruction)) {
+    json["gnss_horizontal_rms_m"] = quality.gnss_horizontal_rms_m;
+    json["gnss_vertical_rms_m"] = quality.gnss_vertical_rms_m;
+  }
   if (source == PoseSource::kAdjusted) add_adjustment(reconstruction, json);
   return json;
 }
@@ -131,10 +139,12 @@ Json json_of(const Reconstruction& reconstruction,
 std::vector<std::string> placement_lines(const Reconstruction& reconstruction, PoseSource source) {
   const ReconstructionQuality& quality = reconstruction.quality;
   if (!reconstruction.georeferenced) return {quality.georeference_reasons.front()};
-  std::vector<std::string> lines = {
-      fmt::format("GNSS residuals {:.2f} m horizontal, {:.2f} m vertical (rms)",
-                  quality.gnss_horizontal_rms_m,
-                  quality.gnss_vertical_rms_m)};
+  std::vector<std::string> lines;
+  if (has_gnss(reconstruction)) {
+    lines.push_back(fmt::format("GNSS residuals {:.2f} m horizontal, {:.2f} m vertical (rms)",
+                                quality.gnss_horizontal_rms_m,
+                                quality.gnss_vertical_rms_m));
+  }
   if (source == PoseSource::kGiven) {
     lines.emplace_back("poses as given, not adjusted: scale and tilt are theirs");
   } else {

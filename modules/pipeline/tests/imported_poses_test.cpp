@@ -114,6 +114,19 @@ TEST_F(ImportedPoses, OwnModelWithItsOriginComesBackAsItWas) {
   }
 }
 
+TEST_F(ImportedPoses, AModelWithItsOriginIsComparedWithGnssButNotMoved) {
+  const Reconstruction expected = truth();
+  store(colmap_model_of(expected));
+  ASSERT_TRUE(write_origin(folder_ / "origin.json", kOrigin));
+  auto photos = photos_of(expected);
+  for (Photo& photo : photos) *photo.metadata.altitude_m += 2.0;
+  const auto back = import_poses(folder_, photos, {});
+  ASSERT_TRUE(back) << back.error().message;
+  EXPECT_NEAR(back->quality.gnss_vertical_rms_m, 2.0, 1e-3);
+  EXPECT_NEAR(back->quality.gnss_horizontal_rms_m, 0.0, 1e-3);
+  EXPECT_NEAR(back->views[0].enu_from_camera->translation.z(), 60.0, 1e-9);
+}
+
 TEST_F(ImportedPoses, ForeignModelIsMovedTurnedAndScaledOntoThePhotosPositions) {
   const Reconstruction expected = truth();
   Reconstruction foreign = expected;

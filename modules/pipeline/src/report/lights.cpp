@@ -87,7 +87,7 @@ void add_georeference_light(const ReportData& data, std::vector<Light>& lights) 
   const std::string verdict = georeference.value("verdict", "");
   if (verdict.empty()) return;
   if (verdict == kGivenPoses) {
-    lights.push_back({"scale and tilt by GNSS alone",
+    lights.push_back({"scale and tilt",
                       "amber",
                       "given poses, not adjusted: scale and tilt are theirs",
                       "0.5 % and 0.5°, 1 % and 1°"});
@@ -103,7 +103,7 @@ void add_georeference_light(const ReportData& data, std::vector<Light>& lights) 
                    escaped(verdict),
                    member(data.reconstruct, "scale_sigma", "{:.2f}", "reconstruct", 100.0),
                    member(data.reconstruct, "tilt_sigma_deg", "{:.2f}", "reconstruct"),
-                   rescaled ? "; the fused cloud has the scale of the LiDAR" : ""),
+                   rescaled ? "; scale taken from the LiDAR" : ""),
        "0.5 % and 0.5°, 1 % and 1°"});
 }
 
