@@ -22,7 +22,7 @@ void add_map_command(CLI::App& app, Command& chosen) {
   CLI::App* command = app.add_subcommand(
       "map",
       "Module B: LiDAR + IMU (+ GNSS) recording -> trajectory and map. Writes OUTPUT/lidar: "
-      "trajectory.tum, map.ply, quality.csv and, with GNSS, gnss.json.");
+      "trajectory.tum, map.ply, quality.csv, level.json and, with GNSS, gnss.json.");
   auto arguments = std::make_shared<MapArguments>();
   command->add_option("--bag", arguments->bag, kRecordingHelp)->required();
   command->add_option("--output", arguments->output, "Workspace folder")->required();
@@ -32,10 +32,11 @@ void add_map_command(CLI::App& app, Command& chosen) {
                     arguments->calibrate,
                     "Do not map: find imu_from_lidar and the time offset from a drive with curves "
                     "and changes of speed, write them to OUTPUT/lidar/sensors.yaml");
-  command->footer(help_footer("hybridfusion map --bag street.bag --output result/",
-                              "BAG: PointCloud2 or Livox CustomMsg, Imu, NavSatFix; sensors.yaml",
-                              "OUTPUT/lidar/trajectory.tum, map.ply, quality.csv, gnss.json (with "
-                              "GNSS);\n  OUTPUT/config.yaml, run.json, report/index.html"));
+  command->footer(
+      help_footer("hybridfusion map --bag street.bag --output result/",
+                  "BAG: PointCloud2 or Livox CustomMsg, Imu, NavSatFix; sensors.yaml",
+                  "OUTPUT/lidar/trajectory.tum, map.ply, quality.csv, level.json, gnss.json (with "
+                  "GNSS);\n  OUTPUT/config.yaml, run.json, report/index.html"));
   command->callback([arguments, &chosen] {
     chosen = [arguments](Session& session) {
       std::optional<std::filesystem::path> sensors;

@@ -75,7 +75,7 @@ void add_register_command(CLI::App& app, Command& chosen) {
       "hybridfusion register --vision G.ply --lidar L.ply --output result/\n  hybridfusion "
       "register --vision G.ply --lidar L.ply --output result/ --max-yaw-deg 180",
       "VISION, LIDAR: clouds in metres, z up; INITIAL: JSON; beside clouds of a workspace also\n  "
-      "origin.json, gnss.json and trajectory.tum",
+      "origin.json, pose_covariance.csv, gnss.json, level.json and trajectory.tum",
       "OUTPUT/registration/registration.json; unless refused OUTPUT/fused/fused.ply, fused.las;\n  "
       "OUTPUT/config.yaml, run.json, report/index.html"));
   command->callback([arguments, &chosen] {

@@ -103,7 +103,11 @@ void follow(const PatchedCloud& lidar,
   if (holds(kept, true_cell)) ++figures.true_similar;
 }
 
-void count_poses(const RegistrationResult& result, const Rigid3& truth, StepFigures& figures) {
+void count_poses(const RegistrationResult& result,
+                 const PatchGrid& vision_grid,
+                 const Rigid3& truth,
+                 const Rigid3& true_from_coarse,
+                 StepFigures& figures) {
   constexpr double kMaxGap_m = 1.0;
   constexpr double kMaxTurn_rad = 2.0 * std::numbers::pi / 180.0;
   const Rigid3 lidar_from_vision = truth.inverse();
@@ -119,6 +123,10 @@ void count_poses(const RegistrationResult& result, const Rigid3& truth, StepFigu
         truth.rotation.conjugate() *
         (match.vision_from_lidar_2d.rotation * Eigen::Vector3d::UnitX());
     ++figures.num_2d;
+    const auto true_cell = cell_at(vision_grid, true_from_coarse * match.centroid_in_vision);
+    if (true_cell && vision_grid.patches[*true_cell].cell == match.vision_cell) {
+      ++figures.chosen_true;
+    }
     if (gap_2d.head<2>().norm() < kMaxGap_m &&
         std::abs(std::atan2(forward.y(), forward.x())) < kMaxTurn_rad) {
       ++figures.right_2d;
@@ -180,7 +188,7 @@ StepFigures paper_step_figures(const DescribedScene& scene,
     }
   }
   ranking.finish(figures);
-  count_poses(result, true_vision_from_lidar, figures);
+  count_poses(result, pair.vision.grid, true_vision_from_lidar, true_from_coarse, figures);
   return figures;
 }
 

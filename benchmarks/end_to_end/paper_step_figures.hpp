@@ -29,6 +29,7 @@ struct StepFigures {
   /// Patches with a 2D and with a 3D pose, and those of them within 1 m and 2 degrees (2D: in plan
   /// and heading) at their centroid.
   std::size_t num_2d = 0;
+  std::size_t chosen_true = 0;  ///< Of these, with the true cell as the best candidate.
   std::size_t right_2d = 0;
   std::size_t num_3d = 0;
   std::size_t right_3d = 0;

@@ -121,7 +121,7 @@ void print_row(const NamedPair& pair,
       registration_errors(pair.truth, result.vision_from_lidar, centroid(pair.lidar));
   fmt::print(
       "| {} | {} | {} | {} -> {:.1f} -> {:.1f} -> {:.1f} | {:.0f} / {:.0f} / {:.0f} | {:.0f} / "
-      "{:.0f} | {:.2f} | {} of {} | {} of {} | {} | {:.3f} m, {:.2f} deg | {:.1f} |\n",
+      "{:.0f} | {:.2f} | {} of {} | {} of {} | {} of {} | {} | {:.3f} m, {:.2f} deg | {:.1f} |\n",
       pair.name,
       variant,
       f.num_patches,
@@ -135,6 +135,8 @@ void print_row(const NamedPair& pair,
       f.rank_median,
       f.rank_ring_median,
       f.auc,
+      f.chosen_true,
+      f.num_2d,
       f.right_2d,
       f.num_2d,
       f.right_3d,
@@ -174,10 +176,9 @@ Expected<void> run_pair(const NamedPair& pair, const Settings& settings) {
 Expected<void> run(const Settings& settings) {
   fmt::print(
       "| pair | variant | LiDAR patches | cells -> ring -> descriptor -> neighbours | true cell "
-      "kept by each [%] | median rank of the true cell: of all / in the ring | AUC | 2D poses "
-      "right "
-      "| 3D poses right | answer | error | CPU s "
-      "|\n|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+      "kept by each [%] | median rank of the true cell: of all / in the ring | AUC | true cell "
+      "chosen | 2D poses right | 3D poses right | answer | error | CPU s |\n"
+      "|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
   const RunContext ctx{.num_threads = settings.threads};
   for (const std::string& start : settings.starts) {
     const CaseGroup* group = group_of(start);

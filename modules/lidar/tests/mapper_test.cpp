@@ -36,6 +36,8 @@ TEST(LidarMapper, MapsADriveToCentimetres) {
   const Rigid3 world_from_imu = testing::true_world_from_imu(last.time);
   const Rigid3 world_from_map = world_from_imu * last.map_from_body.inverse();
   EXPECT_GT((world_from_map.rotation * Eigen::Vector3d::UnitZ()).z(), std::cos(0.002));
+  EXPECT_GT(result->level_sigma_rad, 0.0);
+  EXPECT_LT(result->level_sigma_rad, 0.005);  // else gravity would not have been fitted
 
   ASSERT_TRUE(validate(result->map));
   ASSERT_GT(result->map.size(), 10'000U);

@@ -40,6 +40,17 @@ TEST(Raster, BlurKeepsTheSumAwayFromTheBorder) {
   EXPECT_FLOAT_EQ(raster.at(8, 10), raster.at(10, 8));
 }
 
+TEST(Raster, HalvedCellsAreMeansOfFourWithNothingBeyondTheEdge) {
+  const Raster raster{.grid = {.origin = {3.0, -1.0}, .cell_m = 0.5, .width = 3, .height = 2},
+                      .values = {1.0F, 2.0F, 3.0F, 4.0F, 5.0F, 6.0F}};
+  const Raster half = halved(raster);
+  EXPECT_EQ(half.grid.origin, raster.grid.origin);
+  EXPECT_EQ(half.grid.cell_m, 1.0);
+  EXPECT_EQ(half.grid.width, 2);
+  EXPECT_EQ(half.grid.height, 1);
+  EXPECT_EQ(half.values, (std::vector<float>{3.0F, 2.25F}));
+}
+
 TEST(Raster, ErodeShrinksABlockByItsRadius) {
   Raster raster = constant_raster(11, 11, 0.0F);
   for (int y = 2; y < 9; ++y) {
