@@ -119,13 +119,17 @@ std::vector<bool> LiveModel::candidates() const {
 
 Expected<void> LiveModel::register_waiting(const RunContext& ctx) {
   const std::vector<bool> usable = candidates();
+  if (adjusted_views_ == 0) {  // what is too old for the first model is no use any more
+    std::erase_if(pairs_, [&](const VerifiedPair& pair) {
+      return !usable[pair.views.first] || !usable[pair.views.second];
+    });
+  }
   IncrementalMapper mapper(model_, pairs_, gnss_, options_, ctx);
   Expected<void> done;
   if (adjusted_views_ == 0) {
     done = mapper.grow(usable);
     if (static_cast<int>(model_.num_registered()) >= options_.mapping.min_model_photos) {
       adjusted_views_ = model_.num_registered();
-      pairs_ = {};
     } else {
       for (auto& pose : model_.world_from_view) pose.reset();
     }
@@ -140,6 +144,7 @@ Expected<void> LiveModel::register_waiting(const RunContext& ctx) {
       }
     }
   }
+  if (adjusted_views_ > 0) pairs_.clear();  // only a first model starts from pairs
   for (std::size_t v = 0; v < reasons_.size(); ++v) {
     if (model_.world_from_view[v]) {
       reasons_[v].clear();
