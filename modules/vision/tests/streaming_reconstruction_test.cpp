@@ -26,6 +26,8 @@ struct Outcome {
 StreamingSetup small_setup() {
   StreamingSetup setup;
   setup.live.preview_size_px = 300;
+  setup.reconstruction.features.min_keypoints = 800;  // quick
+  setup.reconstruction.features.max_keypoints = 1600;
   return setup;
 }
 
