@@ -168,6 +168,8 @@ Expected<void> LiveModel::register_waiting(const RunContext& ctx) {
       reasons_[v].clear();
     } else if (!mapper.reasons()[v].empty()) {
       reasons_[v] = mapper.reasons()[v];
+    } else if (reasons_[v].empty()) {
+      reasons_[v] = "waits for more photos that overlap it";
     }
   }
   return unless_cancelled(done, ctx);
@@ -220,7 +222,9 @@ Expected<LiveModel::Step> LiveModel::add(const PhotoMetadata& photo,
   }
   HF_TRY(std::vector<VerifiedPair> fresh, match_last(ctx));
   step.num_pairs = fresh.size();
-  if (step.num_pairs == 0) reasons_.back() = "no matches with the photos before it";
+  if (step.num_pairs == 0 && metadata_.size() > 1) {
+    reasons_.back() = "no matches with the photos before it";
+  }
   if (auto done = probe_once(fresh, ctx); !done) return std::unexpected(done.error());
   for (const VerifiedPair& pair : fresh) tracks_.add_pair(features_, pair, model_);
   index_tracks(model_);
