@@ -103,7 +103,7 @@ void add_reconstruct_command(CLI::App& app, Command& chosen) {
   add_watch_options(*command, *arguments);
   command->footer(help_footer(
       "hybridfusion reconstruct --images flight/ --output result/\n"
-      "  hybridfusion reconstruct --watch card/DCIM/ --output result/ --idle-s 60",
+      "  hybridfusion reconstruct --watch incoming/ --output result/ --idle-s 60",
       "IMAGES, WATCH: *.jpg, *.jpeg with GNSS and focal length in EXIF or XMP",
       "OUTPUT/vision/cameras.txt, images.txt, points3D.txt, positions.csv, "
       "origin.json,\n  dense.ply; OUTPUT/config.yaml, run.json, report/index.html; with "

@@ -3,13 +3,12 @@
 #include "appearance.hpp"
 #include "cached_features.hpp"
 #include "control_placement.hpp"
-#include "flight_errors.hpp"
 #include "fragments.hpp"
 #include "georeference.hpp"
 #include "gnss_adjustment.hpp"
 #include "pair_verification.hpp"
-#include "rolling_shutter.hpp"
 #include "second_round.hpp"
+#include "shutter_adjustment.hpp"
 
 #include <hybridfusion/core/parallel.hpp>
 
@@ -155,21 +154,6 @@ std::vector<Eigen::Vector3d> centres_of(const SfmModel& model) {
   return centres;
 }
 
-/// True when pixels were moved, so that the model must be adjusted again.
-bool undo_rolling_shutter(SfmModel& model,
-                          const GnssIngest& gnss,
-                          std::span<const PhotoMetadata> metadata,
-                          const RollingShutterOptions& options,
-                          const RunContext& ctx) {
-  const RollingShutterReport report = correct_rolling_shutter(
-      model, readout_times(metadata, options), view_velocities(model, gnss));
-  if (report.num_views == 0) return false;
-  ctx.info(fmt::format("rolling shutter: {} photos corrected, by up to {:.1f} px",
-                       report.num_views,
-                       report.largest_px));
-  return true;
-}
-
 }  // namespace
 
 Expected<MatchedPhotos> match_photos(std::span<const Photo> photos,
@@ -204,15 +188,9 @@ Expected<Reconstruction> pose_photos(const MatchedPhotos& matched,
   GnssTerms terms = gnss_terms(mapped.model, gnss, options.gnss, mapped.placement);
   if (!targets.empty()) terms.observations.clear();
   const std::vector<Eigen::Vector3d> before = centres_of(mapped.model);
-  const GnssTerms stated = terms;
-  if (auto adjusted = adjust_with_gnss(mapped.model, terms, targets, options, ctx); !adjusted) {
+  const AdjustmentInputs inputs{gnss, metadata, targets, options};
+  if (auto adjusted = adjust_with_shutter(mapped.model, terms, inputs, ctx); !adjusted) {
     return std::unexpected(adjusted.error());
-  }
-  if (undo_rolling_shutter(mapped.model, gnss, metadata, options.rolling_shutter, ctx)) {
-    terms = stated;
-    if (auto again = adjust_with_gnss(mapped.model, terms, targets, options, ctx); !again) {
-      return std::unexpected(again.error());
-    }
   }
   gnss.warnings.insert(
       gnss.warnings.end(), matched.cameras.warnings.begin(), matched.cameras.warnings.end());

@@ -2,6 +2,7 @@
 
 #include "bundle_adjustment.hpp"
 #include "incremental_mapper.hpp"
+#include "shutter_adjustment.hpp"
 #include "synthetic_flight.hpp"
 
 #include <cmath>
@@ -103,6 +104,39 @@ TEST(RollingShutter, OneMoreAdjustmentAfterTheCorrectionFindsThePoses) {
   model = adjusted(model);
   EXPECT_LT(error_px(model), 0.1 * before_px);
   EXPECT_LT(error_px(model), 0.05);
+}
+
+/// Adjusts a flight of cameras that the table has with 47 ms; every row was read at once in `model`
+/// or within `c.readout_s`. @returns the model, its tags being true.
+SfmModel adjusted_by_table(const Case& c, SfmModel model) {
+  GnssIngest gnss;
+  std::vector<PhotoMetadata> metadata(model.world_from_view.size());
+  for (std::uint32_t v = 0; v < metadata.size(); ++v) {
+    metadata[v].model = "L1D-20c";
+    gnss.by_time.push_back(v);
+    PhotoFix fix{.position_in_enu = c.flight.truth.world_from_view[v]->translation};
+    fix.sigma_m = Eigen::Vector3d::Constant(1.0);
+    fix.has_altitude = true;
+    fix.flight_time_s = 14.0 / kSpeed_mps * v + 3.0 * (v / 4);  // turns take longer
+    gnss.fixes.push_back(fix);
+  }
+  ReconstructionOptions options;
+  GnssTerms terms = gnss_terms(model, gnss, options.gnss, {});
+  const auto done = adjust_with_shutter(model, terms, {gnss, metadata, {}, options}, {});
+  EXPECT_TRUE(done) << done.error().message;
+  return model;
+}
+
+TEST(RollingShutter, AReadoutOfTheTableIsTakenWherePhotosAgreeBetterWithIt) {
+  const Case c = make_case();  // 50 ms
+  const SfmModel model = adjusted_by_table(c, c.seen);
+  EXPECT_GT(rms_px(model, c.seen), 1.0);
+}
+
+TEST(RollingShutter, AReadoutOfTheTableIsNotTakenWherePhotosAgreeWorseWithIt) {
+  const Case c = make_case();
+  const SfmModel model = adjusted_by_table(c, c.flight.truth);  // all rows at once
+  EXPECT_EQ(rms_px(model, c.flight.truth), 0.0);
 }
 
 TEST(RollingShutter, SlowFlightsAndUnknownSpeedsStay) {

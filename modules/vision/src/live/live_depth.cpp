@@ -64,9 +64,10 @@ std::optional<PhotoPoints> LiveDepth::points_of(const Reconstruction& reconstruc
   if (!images.get(view)) return std::nullopt;
   DepthMap map = stereo_depth(reconstruction, view, images, options_, device_.get()).map;
   erode_depth_edges(map, options_.check.edge_step, options_.check.edge_margin_px);
-  if (num_depths(map.depth_m) == 0) return std::nullopt;
+  const double median_m = median_depth_m(map);
+  if (std::isnan(median_m)) return std::nullopt;  // no depths, or next to none
   focal_px_ = map.grid.focal_px;
-  medians_m_.push_back(median_depth_m(map));
+  medians_m_.push_back(median_m);
   std::vector<const DepthMap*> others;
   for (const std::uint32_t other : map.overlapping) {
     for (DepthMap& kept : maps_) {

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <utility>
@@ -71,7 +72,7 @@ Expected<std::vector<VerifiedPair>> LiveModel::match_last(const RunContext& ctx)
   for (const FeatureSet& f : features_) usable.push_back(f.size() > 0);
   std::vector<PhotoPair> pairs;
   for (const std::uint32_t other :
-       live_partners(metadata_, gnss_, model_, usable, options_.pairs, live_.max_pairs)) {
+       live_partners(metadata_, gnss_, usable, options_.pairs, live_.max_pairs)) {
     // In order of name, as reconstruct() has them: the cache serves both.
     const bool other_first = metadata_[other].name < metadata_[last].name;
     pairs.push_back(other_first ? PhotoPair{other, last} : PhotoPair{last, other});
@@ -103,29 +104,49 @@ Expected<void> LiveModel::probe_once(std::vector<VerifiedPair>& fresh, const Run
   return {};
 }
 
-/// Views that may be registered now: while there is no model the last ones, then the last of those
-/// that wait and the new one.
+/// Model points on the tracks of a view.
+std::size_t LiveModel::num_visible(std::uint32_t view) const {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      model_.tracks_of_view[view],
+      [&](const TrackReference& reference) { return model_.points[reference.track].has_value(); }));
+}
+
+/// Views that may be registered now: while there is no model the last ones, then the new one and,
+/// of those that wait, the ones that see most points, if more than at their last trial.
 std::vector<bool> LiveModel::candidates() const {
   std::vector<bool> usable(metadata_.size(), false);
-  std::size_t left =
-      adjusted_views_ == 0 ? kSeedPhotos : static_cast<std::size_t>(live_.max_waiting_photos) + 1;
-  for (std::size_t v = metadata_.size(); v-- > 0 && left > 0;) {
+  std::vector<std::pair<std::size_t, std::uint32_t>> waiting;
+  for (auto v = static_cast<std::uint32_t>(metadata_.size()); v-- > 0;) {
     if (model_.world_from_view[v] || features_[v].size() == 0) continue;
-    usable[v] = true;
-    --left;
+    if (adjusted_views_ == 0) {
+      usable[v] = true;
+      if (static_cast<std::size_t>(std::ranges::count(usable, true)) == kSeedPhotos) break;
+      continue;
+    }
+    const std::size_t visible = num_visible(v);
+    const bool enough = visible >= static_cast<std::size_t>(options_.mapping.min_resection_inliers);
+    if (enough && 5 * visible >= 6 * tried_with_[v]) waiting.emplace_back(visible, v);
   }
+  const auto count = std::min(waiting.size(), static_cast<std::size_t>(live_.max_waiting_photos));
+  std::ranges::sort(waiting, std::greater<>{});
+  for (std::size_t k = 0; k < count; ++k) usable[waiting[k].second] = true;
+  if (features_.back().size() > 0) usable.back() = true;
   return usable;
 }
 
 Expected<void> LiveModel::register_waiting(const RunContext& ctx) {
   const std::vector<bool> usable = candidates();
+  if (adjusted_views_ == 0) {  // what is too old for the first model is no use any more
+    std::erase_if(pairs_, [&](const VerifiedPair& pair) {
+      return !usable[pair.views.first] || !usable[pair.views.second];
+    });
+  }
   IncrementalMapper mapper(model_, pairs_, gnss_, options_, ctx);
   Expected<void> done;
   if (adjusted_views_ == 0) {
     done = mapper.grow(usable);
     if (static_cast<int>(model_.num_registered()) >= options_.mapping.min_model_photos) {
       adjusted_views_ = model_.num_registered();
-      pairs_ = {};
     } else {
       for (auto& pose : model_.world_from_view) pose.reset();
     }
@@ -140,11 +161,15 @@ Expected<void> LiveModel::register_waiting(const RunContext& ctx) {
       }
     }
   }
-  for (std::size_t v = 0; v < reasons_.size(); ++v) {
+  if (adjusted_views_ > 0) pairs_.clear();  // only a first model starts from pairs
+  for (std::uint32_t v = 0; v < reasons_.size(); ++v) {
+    if (usable[v] && adjusted_views_ > 0) tried_with_[v] = num_visible(v);
     if (model_.world_from_view[v]) {
       reasons_[v].clear();
     } else if (!mapper.reasons()[v].empty()) {
       reasons_[v] = mapper.reasons()[v];
+    } else if (reasons_[v].empty()) {
+      reasons_[v] = "waits for more photos that overlap it";
     }
   }
   return unless_cancelled(done, ctx);
@@ -185,6 +210,7 @@ Expected<LiveModel::Step> LiveModel::add(const PhotoMetadata& photo,
   cache_.keys.push_back(cache_.load ? key : std::string());
   features_.push_back(std::move(features));
   reasons_.push_back(error);
+  tried_with_.push_back(0);
   model_.world_from_view.emplace_back();
   tracks_.add_view(features_.back());
   take_positions();
@@ -196,7 +222,9 @@ Expected<LiveModel::Step> LiveModel::add(const PhotoMetadata& photo,
   }
   HF_TRY(std::vector<VerifiedPair> fresh, match_last(ctx));
   step.num_pairs = fresh.size();
-  if (step.num_pairs == 0) reasons_.back() = "no matches with the photos before it";
+  if (step.num_pairs == 0 && metadata_.size() > 1) {
+    reasons_.back() = "no matches with the photos before it";
+  }
   if (auto done = probe_once(fresh, ctx); !done) return std::unexpected(done.error());
   for (const VerifiedPair& pair : fresh) tracks_.add_pair(features_, pair, model_);
   index_tracks(model_);

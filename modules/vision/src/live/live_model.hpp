@@ -20,11 +20,10 @@
 namespace hybridfusion {
 
 /// Partners of the last photo: the two next in time, then the nearest by position (in time, for
-/// photos without one), registered ones first.
+/// photos without one).
 /// @param usable  Per photo: has features.
 [[nodiscard]] std::vector<std::uint32_t> live_partners(std::span<const PhotoMetadata> photos,
                                                        const GnssIngest& gnss,
-                                                       const SfmModel& model,
                                                        const std::vector<bool>& usable,
                                                        const PairOptions& options,
                                                        int max_count);
@@ -61,6 +60,7 @@ class LiveModel {
   void take_camera();
   [[nodiscard]] Expected<std::vector<VerifiedPair>> match_last(const RunContext& ctx);
   [[nodiscard]] Expected<void> probe_once(std::vector<VerifiedPair>& fresh, const RunContext& ctx);
+  [[nodiscard]] std::size_t num_visible(std::uint32_t view) const;
   [[nodiscard]] std::vector<bool> candidates() const;
   [[nodiscard]] Expected<void> register_waiting(const RunContext& ctx);
   [[nodiscard]] Expected<bool> adjust_if_grown(const RunContext& ctx);
@@ -72,6 +72,7 @@ class LiveModel {
   std::vector<PhotoMetadata> metadata_ = {};
   std::vector<FeatureSet> features_ = {};
   std::vector<std::string> reasons_ = {};
+  std::vector<std::size_t> tried_with_ = {};  // per view: visible points at its last trial
   GnssIngest gnss_ = {};
   std::optional<GeodeticOrigin> origin_ = {};
   CameraSetup cameras_ = {};  // their intrinsics follow the model's

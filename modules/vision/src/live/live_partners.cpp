@@ -9,7 +9,6 @@ namespace hybridfusion {
 
 std::vector<std::uint32_t> live_partners(std::span<const PhotoMetadata> photos,
                                          const GnssIngest& gnss,
-                                         const SfmModel& model,
                                          const std::vector<bool>& usable,
                                          const PairOptions& options,
                                          int max_count) {
@@ -18,7 +17,7 @@ std::vector<std::uint32_t> live_partners(std::span<const PhotoMetadata> photos,
   std::vector<std::size_t> rank(photos.size());  // in time
   for (std::size_t k = 0; k < gnss.by_time.size(); ++k) rank[gnss.by_time[k]] = k;
   const auto& here = gnss.fixes[last].position_in_enu;
-  using Scored = std::tuple<int, bool, double, std::uint32_t>;
+  using Scored = std::tuple<int, double, std::uint32_t>;
   std::vector<Scored> scored;
   for (const PhotoPair& pair : select_pairs(photos, gnss, options)) {
     if (pair.first != last && pair.second != last) continue;
@@ -30,13 +29,13 @@ std::vector<std::uint32_t> live_partners(std::span<const PhotoMetadata> photos,
     const bool placed = here && there;
     const double distance = placed ? (*there - *here).head<2>().norm() : static_cast<double>(gap);
     const int group = gap <= kNextInTime ? 0 : placed ? 1 : 2;
-    scored.emplace_back(group, !model.world_from_view[other].has_value(), distance, other);
+    scored.emplace_back(group, distance, other);
   }
   std::ranges::sort(scored);
   std::vector<std::uint32_t> partners;
   for (const Scored& s : scored) {
     if (partners.size() == static_cast<std::size_t>(max_count)) break;
-    partners.push_back(std::get<3>(s));
+    partners.push_back(std::get<2>(s));
   }
   std::ranges::sort(partners);
   return partners;

@@ -29,14 +29,15 @@ struct OptionFields<StreamingOptions> {
              .doc = "Photos that a new one is matched with at once: those before and after it in "
                     "time and the nearest by position.",
              .source = "ours"}},
-      Field{&T::max_waiting_photos,
-            {.key = "max_waiting_photos",
-             .unit = "photos",
-             .min = 0,
-             .max = 100,
-             .doc = "Of the photos without a pose, so many of the last are tried again with each "
-                    "new one.",
-             .source = "ours"}},
+      Field{
+          &T::max_waiting_photos,
+          {.key = "max_waiting_photos",
+           .unit = "photos",
+           .min = 0,
+           .max = 100,
+           .doc = "Of the photos without a pose, so many are tried again with each new one: those "
+                  "that see most points, if they see more than before.",
+           .source = "ours"}},
       Field{&T::global_growth,
             {.key = "global_growth",
              .unit = "1",
