@@ -170,6 +170,10 @@ class CheckPoints {
     return {{"observations", count_},
             {"with_depth", share(errors_gsd_.size(), count_)},
             {"within_1_percent", share(within_, count_)},
+            {"within_2_gsd",
+             share(static_cast<std::size_t>(std::ranges::upper_bound(errors_gsd_, 2.0) -
+                                            errors_gsd_.begin()),
+                   count_)},
             {"within_1_percent_of_those_with_depth", share(within_, errors_gsd_.size())},
             {"median_gsd", errors_gsd_[errors_gsd_.size() / 2]},
             {"p90_gsd", errors_gsd_[errors_gsd_.size() * 9 / 10]}};

@@ -18,11 +18,18 @@ constexpr std::size_t kGrain = 4096;
 
 DistanceStatistics statistics_of(const std::vector<float>& distances_m) {
   const double sum = std::accumulate(distances_m.begin(), distances_m.end(), 0.0);
-  return {
-      .num_points = distances_m.size(),
-      .mean_m = distances_m.empty() ? std::nan("") : sum / static_cast<double>(distances_m.size()),
-      .median_m = quantile(distances_m, 0.5),
-      .percentile95_m = quantile(distances_m, 0.95)};
+  const auto count = static_cast<double>(distances_m.size());
+  DistanceStatistics result{.num_points = distances_m.size(),
+                            .mean_m = distances_m.empty() ? std::nan("") : sum / count,
+                            .median_m = quantile(distances_m, 0.5),
+                            .percentile95_m = quantile(distances_m, 0.95)};
+  for (std::size_t k = 0; k < kStrayDistances_m.size(); ++k) {
+    const auto beyond =
+        std::ranges::count_if(distances_m, [&](float d) { return d > kStrayDistances_m[k]; });
+    result.share_beyond[k] =
+        distances_m.empty() ? std::nan("") : static_cast<double>(beyond) / count;
+  }
+  return result;
 }
 
 std::vector<Eigen::Vector3f> finite(std::span<const Eigen::Vector3f> points) {

@@ -30,6 +30,16 @@ TEST(CloudAccuracy, SplitsDistancesByTheNearestSurface) {
   EXPECT_NEAR(result->by_label[1].mean_m, 0.5, 1e-6);
   EXPECT_NEAR(result->hard.mean_m, (0.1 + 0.2 + 0.3 + 0.5) / 4, 1e-6);
   EXPECT_TRUE(std::isnan(result->by_label[2].mean_m));
+  EXPECT_TRUE(std::isnan(result->by_label[2].share_beyond[0]));
+}
+
+TEST(CloudAccuracy, CountsStrayPoints) {
+  const Corner corner;
+  const std::vector<Eigen::Vector3f> cloud = {{2, 2, 0.1F}, {3, 2, 0.6F}, {4, 5, 3.5F}, {4, 5, 0}};
+  const auto result = cloud_accuracy(cloud, corner.surface, corner.labels);
+  ASSERT_TRUE(result);
+  EXPECT_DOUBLE_EQ(result->all.share_beyond[0], 0.5);
+  EXPECT_DOUBLE_EQ(result->all.share_beyond[1], 0.25);
 }
 
 TEST(CloudAccuracy, RefusesUnknownLabelsAndEmptyClouds) {

@@ -1,9 +1,11 @@
 #include "cloud_truth.hpp"
 
 #include <hybridfusion/evaluation/cloud_error.hpp>
+#include <hybridfusion/evaluation/sheet_error.hpp>
 #include <hybridfusion/io/ply.hpp>
 
 #include <array>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -18,7 +20,9 @@ Json json_of(const DistanceStatistics& statistics) {
   return {{"num_points", statistics.num_points},
           {"mean_m", statistics.mean_m},
           {"median_m", statistics.median_m},
-          {"p95_m", statistics.percentile95_m}};
+          {"p95_m", statistics.percentile95_m},
+          {"share_beyond_0.5_m", statistics.share_beyond[0]},
+          {"share_beyond_3_m", statistics.share_beyond[1]}};
 }
 
 Json json_of(const CloudAccuracy& accuracy) {
@@ -50,14 +54,41 @@ std::vector<Eigen::Vector3f> mapped(const std::vector<Eigen::Vector3f>& points,
   return result;
 }
 
-std::vector<Eigen::Vector3f> samples_of(const CloudTruth& truth, SampleView view) {
-  std::vector<Eigen::Vector3f> samples;
+struct Samples {
+  std::vector<Eigen::Vector3f> points = {};
+  std::vector<Eigen::Vector3f> normals = {};
+};
+
+Samples samples_of(const CloudTruth& truth, SampleView view) {
+  Samples samples;
   for (std::size_t i = 0; i < truth.samples.size(); ++i) {
     const bool drone = truth.seen_by_drone[i] && view != SampleView::kVehicle;
     const bool vehicle = truth.seen_by_vehicle[i] && view != SampleView::kDrone;
-    if (drone || vehicle) samples.push_back(truth.samples[i]);
+    if (!drone && !vehicle) continue;
+    samples.points.push_back(truth.samples[i]);
+    if (!truth.normals.empty()) samples.normals.push_back(truth.normals[i]);
   }
   return samples;
+}
+
+/// Median error over stated deviation by the kind of surface.
+Json sigma_json(const PointCloud& cloud,
+                const std::vector<Eigen::Vector3f>& points_in_truth,
+                double scale,
+                std::size_t stride,
+                const CloudTruth& truth,
+                const RunContext& ctx) {
+  std::vector<float> sigmas;
+  for (std::size_t i = 0; i < cloud.size(); i += stride) {
+    sigmas.push_back(static_cast<float>(scale) * cloud.sigmas_m[i]);
+  }
+  const SigmaCalibration found =
+      sigma_calibration(points_in_truth, sigmas, *truth.surface, truth.triangle_labels, ctx);
+  Json json = {{"hard", found.hard}};
+  for (std::size_t label = 0; label < kNumSurfaceLabels; ++label) {
+    if (std::isfinite(found.by_label[label])) json[kLabelNames[label]] = found.by_label[label];
+  }
+  return json;
 }
 
 Expected<void> load_samples(const std::filesystem::path& path, CloudTruth& truth) {
@@ -71,7 +102,14 @@ Expected<void> load_samples(const std::filesystem::path& path, CloudTruth& truth
     return fail(ErrorCode::kParse,
                 fmt::format("{}: needs the columns x y z drone vehicle", path.string()));
   }
+  const auto* nx = table.find("nx");
+  const auto* ny = table.find("ny");
+  const auto* nz = table.find("nz");
+  const bool has_normals = nx && ny && nz;
   for (std::size_t i = 0; i < table.size(); ++i) {
+    if (has_normals) {
+      truth.normals.emplace_back(Eigen::Vector3d((*nx)[i], (*ny)[i], (*nz)[i]).cast<float>());
+    }
     truth.samples.emplace_back(Eigen::Vector3d((*x)[i], (*y)[i], (*z)[i]).cast<float>());
     truth.seen_by_drone.push_back((*drone)[i] >= kMinPhotos);
     truth.seen_by_vehicle.push_back((*vehicle)[i] > 0.0);
@@ -105,22 +143,32 @@ Expected<Json> cloud_truth_json(const PointCloud& cloud,
                                 const RunContext& ctx) {
   const auto max_points = static_cast<std::size_t>(options.max_points);
   const std::size_t stride = std::max<std::size_t>(1, (cloud.size() + max_points - 1) / max_points);
-  const std::vector<Eigen::Vector3f> samples = samples_of(truth, view);
+  const Samples samples = samples_of(truth, view);
   Json json = {{"num_points", cloud.size()}};
   for (const CloudAlignment& alignment : alignments) {
     Json entry;
     if (truth.surface) {
+      const std::vector<Eigen::Vector3f> points =
+          mapped(cloud.points, alignment.truth_from_cloud, stride);
       HF_TRY(const CloudAccuracy accuracy,
-             cloud_accuracy(mapped(cloud.points, alignment.truth_from_cloud, stride),
-                            *truth.surface,
-                            truth.triangle_labels,
-                            ctx));
+             cloud_accuracy(points, *truth.surface, truth.triangle_labels, ctx));
       entry["accuracy"] = json_of(accuracy);
+      if (!cloud.sigmas_m.empty() && !truth.triangle_labels.empty()) {
+        entry["error_over_sigma"] =
+            sigma_json(cloud, points, alignment.truth_from_cloud.scale, stride, truth, ctx);
+      }
     }
-    if (!samples.empty()) {
-      HF_TRY(const CloudCompleteness completeness,
-             cloud_completeness(samples, mapped(cloud.points, alignment.truth_from_cloud, 1), ctx));
+    if (!samples.points.empty()) {
+      const std::vector<Eigen::Vector3f> points =
+          mapped(cloud.points, alignment.truth_from_cloud, 1);
+      HF_TRY(const CloudCompleteness completeness, cloud_completeness(samples.points, points, ctx));
       entry["completeness"] = json_of(completeness);
+      // A cloud without a flat piece has no thickness, which is no reason to fail.
+      if (const auto sheet = sheet_error(samples.points, samples.normals, points, ctx); sheet) {
+        entry["sheet"] = {{"num_patches", sheet->num_patches},
+                          {"thickness_m", sheet->thickness_m},
+                          {"bias_m", sheet->bias_m}};
+      }
     }
     json[std::string(alignment.name)] = std::move(entry);
   }

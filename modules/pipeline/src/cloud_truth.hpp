@@ -21,7 +21,8 @@ struct CloudTruth {
   std::optional<SurfaceDistance> surface = {};
   std::vector<std::uint8_t> triangle_labels = {};
   std::vector<Eigen::Vector3f> samples = {};
-  std::vector<bool> seen_by_drone = {};  ///< By two photos: one alone cannot place a point.
+  std::vector<Eigen::Vector3f> normals = {};  ///< Of the samples; empty when the file has none.
+  std::vector<bool> seen_by_drone = {};       ///< By two photos: one alone cannot place a point.
   std::vector<bool> seen_by_vehicle = {};
 };
 

@@ -16,11 +16,15 @@ namespace hybridfusion {
 enum class SurfaceLabel : std::uint8_t { kGround = 0, kBuilding = 1, kVegetation = 2, kOther = 3 };
 inline constexpr std::size_t kNumSurfaceLabels = 4;
 
+/// Distances beyond which the shares of a cloud are counted: stray points, and points in the sky.
+inline constexpr std::array<double, 2> kStrayDistances_m = {0.5, 3.0};
+
 struct DistanceStatistics {
   std::size_t num_points = 0;
   double mean_m = 0.0;  ///< All three NaN without points.
   double median_m = 0.0;
   double percentile95_m = 0.0;
+  std::array<double, kStrayDistances_m.size()> share_beyond = {};
 };
 
 /// Distances of a cloud to the true surface, by the kind of the nearest surface.

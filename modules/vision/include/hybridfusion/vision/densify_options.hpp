@@ -180,7 +180,7 @@ struct OptionFields<DepthCheckOptions> {
 
 /// Dense reconstruction from posed photos.
 struct DensifyOptions {
-  int max_size_px = 1000;
+  int max_size_px = 1100;
   int num_neighbors = 3;
   double min_angle_deg = 3.0;
   double max_angle_deg = 30.0;
