@@ -28,6 +28,7 @@ struct ConvertArguments {
   std::string origin = {};
   std::string crs = {};
   std::string encoding = "default";
+  std::string las_version = "1.4";
   SurfaceRasterOptions raster = {};
 };
 
@@ -36,6 +37,9 @@ const std::map<std::string, CloudEncoding> kEncodings = {
     {"ascii", CloudEncoding::kAscii},
     {"binary", CloudEncoding::kBinary},
     {"compressed", CloudEncoding::kCompressed}};
+
+const std::map<std::string, LasVersion> kLasVersions = {
+    {"1.2", LasVersion::k12}, {"1.3", LasVersion::k13}, {"1.4", LasVersion::k14}};
 
 void print_json(const Json& json) {
   fmt::print("{}\n", json.dump(1, ' ', false, Json::error_handler_t::replace));
@@ -103,7 +107,8 @@ Expected<CloudConversion> conversion_of(const ConvertArguments& arguments) {
                                 .out = optional_path(arguments.out),
                                 .dsm = optional_path(arguments.dsm),
                                 .ortho = optional_path(arguments.ortho),
-                                .encoding = kEncodings.at(arguments.encoding),
+                                .format = {.encoding = kEncodings.at(arguments.encoding),
+                                           .las_version = kLasVersions.at(arguments.las_version)},
                                 .raster = arguments.raster,
                                 .keep_placed = arguments.origin.empty() && arguments.crs.empty()};
   if (const auto origin_path = find_origin(arguments)) {
@@ -184,6 +189,12 @@ void add_convert_command(CLI::App& app, Command& chosen) {
                    "Of .ply and .pcd: ascii, binary or (.pcd only) compressed; default: binary, "
                    ".pcd compressed up to 64 MiB")
       ->check(CLI::IsMember(kEncodings));
+  command
+      ->add_option("--las-version",
+                   arguments->las_version,
+                   "Of .las: 1.2 and 1.3 for old programs (system also as GeoTIFF keys), 1.4")
+      ->check(CLI::IsMember(kLasVersions))
+      ->capture_default_str();
   command->add_option("--dsm", arguments->dsm, "GeoTIFF of the surface height to write");
   command->add_option("--ortho", arguments->ortho, "GeoTIFF of the colours to write");
   command->add_option("--cell-m", arguments->raster.cell_m, "Cell of these [m]")

@@ -1,5 +1,5 @@
 // Reads a LAS file of `hybridfusion convert` with the npm package copc and compares it with the points that went in.
-// Usage: check_las.mjs FILE.las POINTS.xyz CRS   (exit 0 good, 1 bad, 77 the reader is not installed)
+// Usage: check_las.mjs FILE.las POINTS.xyz CRS [VERSION]   (exit 0 good, 1 bad, 77 the reader is not installed)
 // POINTS.xyz: "x y z r g b" lines in the coordinates of the LAS file; CRS: part of its WKT, or "none".
 import fs from "node:fs";
 
@@ -11,7 +11,8 @@ try {
   process.exit(77);
 }
 
-const [file, pointsFile, crs] = process.argv.slice(2);
+const [file, pointsFile, crs, version = "1.4"] = process.argv.slice(2);
+const formats = version === "1.4" ? { color: 7, plain: 6 } : { color: 3, plain: 1 };
 const failures = [];
 const expect = (condition, what) => condition || failures.push(what);
 const bytes = new Uint8Array(fs.readFileSync(file));
@@ -19,9 +20,9 @@ const read = async (begin, end) => bytes.slice(begin, end);
 const points = fs.readFileSync(pointsFile, "utf8").trim().split("\n").map((line) => line.trim().split(/\s+/).map(Number));
 
 const header = Las.Header.parse(bytes.slice(0, 375));
-expect(header.majorVersion === 1 && header.minorVersion === 4, "version 1.4");
+expect(`${header.majorVersion}.${header.minorVersion}` === version, `version ${version}`);
 expect(header.pointCount === points.length, `point count ${header.pointCount}`);
-expect(header.pointDataRecordFormat === (points[0].length >= 6 ? 7 : 6), `point format ${header.pointDataRecordFormat}`);
+expect(header.pointDataRecordFormat === (points[0].length >= 6 ? formats.color : formats.plain), `point format ${header.pointDataRecordFormat}`);
 const vlrs = await Las.Vlr.walk(read, header);
 const wkt = Las.Vlr.find(vlrs, "LASF_Projection", 2112);
 if (crs === "none") {

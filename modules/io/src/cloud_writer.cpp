@@ -37,7 +37,8 @@ namespace {
 
 Expected<CloudWriter> CloudWriter::create(const std::filesystem::path& path,
                                           const CloudSurvey& survey,
-                                          CloudEncoding encoding) {
+                                          const CloudFormat& format) {
+  const CloudEncoding encoding = format.encoding;
   const std::string extension = lower_case(path.extension().string());
   const auto made = [&survey](auto file) {
     return CloudWriter(std::make_unique<State>(State{std::move(file), survey.offset_m}));
@@ -48,9 +49,9 @@ Expected<CloudWriter> CloudWriter::create(const std::filesystem::path& path,
   }
   if (extension == ".ply") {
     if (encoding == CloudEncoding::kCompressed) return no_such_encoding(path);
-    const PlyFormat format =
+    const PlyFormat ply_format =
         encoding == CloudEncoding::kAscii ? PlyFormat::kAscii : PlyFormat::kBinaryLittleEndian;
-    HF_TRY(PlyPieceWriter ply, PlyPieceWriter::create(path, format));
+    HF_TRY(PlyPieceWriter ply, PlyPieceWriter::create(path, ply_format));
     return made(std::move(ply));
   }
   if (extension == ".xyz" || extension == ".las") {
@@ -64,7 +65,8 @@ Expected<CloudWriter> CloudWriter::create(const std::filesystem::path& path,
         LasPieceWriter::create(path,
                                {.offset = survey.offset_m,
                                 .intensity_factor = las_intensity_factor(survey.largest_intensity),
-                                .wkt = survey.crs.wkt}));
+                                .wkt = survey.crs.wkt,
+                                .version = format.las_version}));
     return made(std::move(las));
   }
   return fail(ErrorCode::kInvalidOptions,

@@ -97,7 +97,7 @@ Expected<ConvertedCloud> convert_cloud(const CloudConversion& conversion, const 
   HF_TRY(auto raster, begin_raster(conversion, batches, ctx));
   std::optional<CloudWriter> writer;
   if (conversion.out) {
-    HF_TRY(writer, CloudWriter::create(*conversion.out, survey, conversion.encoding));
+    HF_TRY(writer, CloudWriter::create(*conversion.out, survey, conversion.format));
   }
   auto read = batches.read(
       [&](PointCloud&& cloud) -> Expected<void> {

@@ -36,6 +36,19 @@ CrsDescription describe_crs(const std::string& wkt) {
   return crs;
 }
 
+EpsgCodes epsg_codes(const std::string& wkt) {
+  const CPLErrorHandlerPusher silent(CPLQuietErrorHandler);
+  OGRSpatialReference system;
+  if (system.importFromWkt(wkt.c_str()) != OGRERR_NONE) return {};
+  const auto code_of = [&](const char* node) {
+    const char* name = system.GetAuthorityName(node);
+    const char* code = system.GetAuthorityCode(node);
+    return name != nullptr && code != nullptr && std::string_view(name) == "EPSG" ? std::atoi(code)
+                                                                                  : 0;
+  };
+  return {.horizontal = code_of("PROJCS"), .vertical = code_of("VERT_CS")};
+}
+
 std::optional<CrsDescription> describe_crs(int epsg) {
   const CPLErrorHandlerPusher silent(CPLQuietErrorHandler);
   OGRSpatialReference system;

@@ -63,6 +63,12 @@ class ProjectedToGeodetic {
 
 /// What a WKT of either version says; only the name is filled when it cannot be interpreted.
 [[nodiscard]] CrsDescription describe_crs(const std::string& wkt);
+/// EPSG codes of the horizontal and, of a compound system, the vertical part; 0: none.
+struct EpsgCodes {
+  int horizontal = 0;
+  int vertical = 0;
+};
+[[nodiscard]] EpsgCodes epsg_codes(const std::string& wkt);
 /// The system of an EPSG code; nothing when PROJ does not know it.
 [[nodiscard]] std::optional<CrsDescription> describe_crs(int epsg);
 

@@ -1,23 +1,23 @@
 #include "las_output.hpp"
 
 #include "byte_reader.hpp"
+#include "crs.hpp"
 #include "las_time.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
 namespace hybridfusion {
 namespace {
 
-// LAS 1.4 R15.
-constexpr std::uint16_t kHeaderBytes = 375;
-constexpr std::uint16_t kVlrHeaderBytes = 54;
+// LAS 1.2, LAS 1.3 R11, LAS 1.4 R15.
 constexpr std::uint16_t kExtraBytesDescriptor = 192;
-constexpr std::uint16_t kPlainPointBytes = 30;  // format 6
-constexpr std::uint16_t kColorBytes = 6;        // more in format 7
+constexpr std::uint16_t kColorBytes = 6;  // more in formats 3 and 7
 
 void append_padded(std::string& out, std::string_view text, std::size_t bytes) {
   std::string field(text.substr(0, bytes));
@@ -49,26 +49,75 @@ void append_padded(std::string& out, std::string_view text, std::size_t bytes) {
   return out;
 }
 
+/// What the versions have differently.
+struct VersionFacts {
+  std::uint16_t header_bytes;
+  std::uint8_t plain_format;  ///< Time, no colours.
+  std::uint8_t color_format;
+  std::uint16_t plain_point_bytes;
+};
+
+[[nodiscard]] VersionFacts facts_of(LasVersion version) {
+  switch (version) {
+    case LasVersion::k12:
+      return {.header_bytes = 227, .plain_format = 1, .color_format = 3, .plain_point_bytes = 28};
+    case LasVersion::k13:
+      return {.header_bytes = 235, .plain_format = 1, .color_format = 3, .plain_point_bytes = 28};
+    case LasVersion::k14:
+      break;
+  }
+  return {.header_bytes = 375, .plain_format = 6, .color_format = 7, .plain_point_bytes = 30};
+}
+
+/// GeoKeyDirectoryTag (GeoTIFF 1.0, section 2.4) of the EPSG codes of a projected system; empty
+/// when it has none.
+[[nodiscard]] std::string geo_keys(const std::string& wkt) {
+  constexpr int kMetre = 9001;
+  const EpsgCodes codes = epsg_codes(wkt);
+  if (codes.horizontal == 0) return {};
+  std::vector<std::pair<int, int>> keys = {{1024, 1},  // projected
+                                           {1025, 1},  // a point is a point, not a pixel
+                                           {3072, codes.horizontal},
+                                           {3076, kMetre}};
+  if (codes.vertical != 0) keys.emplace_back(4096, codes.vertical);
+  keys.emplace_back(4099, kMetre);
+  std::string out;
+  const auto put = [&out](int value) { append_value(out, static_cast<std::uint16_t>(value)); };
+  for (const int value : {1, 1, 0, static_cast<int>(keys.size())}) put(value);
+  for (const auto& [key, value] : keys) {
+    for (const int number : {key, 0, 1, value}) put(number);
+  }
+  return out;
+}
+
 struct Layout {
   std::string vlrs = {};
   std::uint32_t num_vlrs = 0;
-  std::uint16_t point_bytes = kPlainPointBytes;
-  std::uint8_t point_format = 6;
+  std::uint16_t header_bytes = 0;
+  std::uint16_t point_bytes = 0;
+  std::uint8_t point_format = 0;
 };
 
-[[nodiscard]] Layout make_layout(const PointCloud& cloud, const std::string& wkt) {
-  Layout layout;
-  if (!wkt.empty()) {
-    layout.vlrs += vlr("LASF_Projection", 2112, "OGC WKT", wkt + '\0');
+[[nodiscard]] Layout make_layout(const PointCloud& cloud, const LasScaling& scaling) {
+  const VersionFacts facts = facts_of(scaling.version);
+  Layout layout = {.header_bytes = facts.header_bytes,
+                   .point_bytes = facts.plain_point_bytes,
+                   .point_format = facts.plain_format};
+  const auto add = [&layout](const std::string& record) {
+    layout.vlrs += record;
     ++layout.num_vlrs;
+  };
+  if (!scaling.wkt.empty()) {
+    const std::string keys = scaling.version == LasVersion::k14 ? "" : geo_keys(scaling.wkt);
+    if (!keys.empty()) add(vlr("LASF_Projection", 34735, "GeoTIFF keys", keys));
+    add(vlr("LASF_Projection", 2112, "OGC WKT", scaling.wkt + '\0'));
   }
   if (!cloud.colors.empty()) {
-    layout.point_format = 7;
+    layout.point_format = facts.color_format;
     layout.point_bytes += kColorBytes;
   }
   if (!cloud.sources.empty()) {
-    layout.vlrs += vlr("LASF_Spec", 4, "extra bytes", source_descriptor());
-    ++layout.num_vlrs;
+    add(vlr("LASF_Spec", 4, "extra bytes", source_descriptor()));
     ++layout.point_bytes;
   }
   return layout;
@@ -80,56 +129,80 @@ struct Bounds {
   Eigen::Vector3d offset = Eigen::Vector3d::Zero();
 };
 
+/// All returns are the first of one.
+void append_counts(std::string& out, std::uint64_t num_points, LasVersion version) {
+  if (version == LasVersion::k14) {
+    append_value(out, num_points);
+    append_value(out, num_points);
+    out.append(14 * sizeof(std::uint64_t), '\0');
+    return;
+  }
+  append_value(out, static_cast<std::uint32_t>(num_points));
+  append_value(out, static_cast<std::uint32_t>(num_points));
+  out.append(4 * sizeof(std::uint32_t), '\0');
+}
+
 [[nodiscard]] std::string header(std::uint64_t num_points,
                                  const Layout& layout,
-                                 const Bounds& bounds) {
+                                 const Bounds& bounds,
+                                 LasVersion version) {
   constexpr std::uint16_t kStandardGpsTime = 1;
-  constexpr std::uint16_t kWktBit = 1U << 4U;
+  constexpr std::uint16_t kWktBit = 1U << 4U;  // LAS 1.4 only
   std::string out = "LASF";
   append_value(out, std::uint16_t{0});  // file source
-  append_value(out, static_cast<std::uint16_t>(kStandardGpsTime | kWktBit));
+  append_value(out,
+               static_cast<std::uint16_t>(
+                   kStandardGpsTime | (version == LasVersion::k14 ? kWktBit : std::uint16_t{0})));
   out.append(16, '\0');  // project GUID
   append_value(out, std::uint8_t{1});
-  append_value(out, std::uint8_t{4});
+  append_value(out, static_cast<std::uint8_t>(version));
   append_padded(out, "EXTRACTION", 32);
   append_padded(out, "HybridFusion", 32);
   // The date is left at zero: the same input gives the same bytes on any day.
   append_value(out, std::uint16_t{0});
   append_value(out, std::uint16_t{0});
-  append_value(out, kHeaderBytes);
-  append_value(out, static_cast<std::uint32_t>(kHeaderBytes + layout.vlrs.size()));
+  append_value(out, layout.header_bytes);
+  append_value(out, static_cast<std::uint32_t>(layout.header_bytes + layout.vlrs.size()));
   append_value(out, layout.num_vlrs);
   append_value(out, layout.point_format);
   append_value(out, layout.point_bytes);
-  out.append(4 + 5 * 4, '\0');  // legacy counts, unused by formats 6 and 7
+  if (version == LasVersion::k14) {
+    out.append(4 + 5 * 4, '\0');  // legacy counts, unused by formats 6 and 7
+  } else {
+    append_counts(out, num_points, version);
+  }
   for (int i = 0; i < 3; ++i) append_value(out, kLasScale_m);
   for (const double value : bounds.offset) append_value(out, value);
   for (int axis = 0; axis < 3; ++axis) {
     append_value(out, bounds.high[axis]);
     append_value(out, bounds.low[axis]);
   }
+  if (version == LasVersion::k12) return out;
   append_value(out, std::uint64_t{0});  // waveforms
+  if (version == LasVersion::k13) return out;
   append_value(out, std::uint64_t{0});  // extended VLRs
   append_value(out, std::uint32_t{0});
-  append_value(out, num_points);
-  append_value(out, num_points);  // all are first returns
-  out.append(14 * sizeof(std::uint64_t), '\0');
+  append_counts(out, num_points, version);
   return out;
+}
+
+/// Return, class and scan angle of a first of one, unclassified, straight down.
+[[nodiscard]] std::string unmarked(LasVersion version) {
+  using namespace std::string_literals;
+  return version == LasVersion::k14 ? "\x11\0\x01\0\0\0"s  // return, flags, class, user, angle
+                                    : "\x09\x01\0\0"s;     // return, class, angle, user
 }
 
 void append_point(std::string& out,
                   const PointCloud& cloud,
                   std::size_t i,
                   const Eigen::Vector3i& steps,
-                  float factor) {
+                  const LasScaling& scaling) {
   for (const int value : steps) append_value(out, static_cast<std::int32_t>(value));
-  const float intensity = cloud.intensities.empty() ? 0.0F : cloud.intensities[i] * factor;
+  const float intensity =
+      cloud.intensities.empty() ? 0.0F : cloud.intensities[i] * scaling.intensity_factor;
   append_value(out, static_cast<std::uint16_t>(std::clamp(intensity, 0.0F, 65535.0F)));
-  append_value(out, std::uint8_t{0x11});  // return 1 of 1
-  append_value(out, std::uint8_t{0});     // flags
-  append_value(out, std::uint8_t{1});     // class: unclassified
-  append_value(out, std::uint8_t{0});     // user data
-  append_value(out, std::int16_t{0});     // scan angle
+  out += unmarked(scaling.version);
   append_value(out,
                static_cast<std::uint16_t>(
                    cloud.sources.empty() ? 0 : static_cast<int>(cloud.sources[i]) + 1));
@@ -179,10 +252,17 @@ Expected<void> LasPieceWriter::add(const PointCloud& piece, const LasWorld& to_w
     low_ = low_.cwiseMin(stored);
     high_ = high_.cwiseMax(stored);
     record.clear();
-    append_point(record, piece, i, stored, scaling_.intensity_factor);
+    append_point(record, piece, i, stored, scaling_);
     file_.write(record);
   }
   num_points_ += piece.size();
+  if (scaling_.version != LasVersion::k14 &&
+      num_points_ > std::numeric_limits<std::uint32_t>::max()) {
+    return fail(ErrorCode::kDegenerate,
+                fmt::format("{}: more points than LAS 1.{} can count (2^32 - 1); write LAS 1.4",
+                            path_.string(),
+                            static_cast<int>(scaling_.version)));
+  }
   return {};
 }
 
@@ -195,12 +275,12 @@ Expected<void> LasPieceWriter::commit() {
 }
 
 std::string LasPieceWriter::start() const {
-  const Layout layout = make_layout(channels_, scaling_.wkt);
+  const Layout layout = make_layout(channels_, scaling_);
   // The header must bound the coordinates as stored.
   const Bounds bounds = {.low = scaling_.offset + low_.cast<double>() * kLasScale_m,
                          .high = scaling_.offset + high_.cast<double>() * kLasScale_m,
                          .offset = scaling_.offset};
-  return header(num_points_, layout, bounds) + layout.vlrs;
+  return header(num_points_, layout, bounds, scaling_.version) + layout.vlrs;
 }
 
 }  // namespace hybridfusion

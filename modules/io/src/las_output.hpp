@@ -3,6 +3,7 @@
 #include <hybridfusion/core/error.hpp>
 #include <hybridfusion/core/point_cloud.hpp>
 #include <hybridfusion/io/atomic_file.hpp>
+#include <hybridfusion/io/las.hpp>
 
 #include <cstdint>
 #include <filesystem>
@@ -25,20 +26,21 @@ struct LasScaling {
   Eigen::Vector3d offset = Eigen::Vector3d::Zero();  ///< Of the coordinates [m].
   float intensity_factor = 1.0F;
   std::string wkt = {};
+  LasVersion version = LasVersion::k14;
 };
 
 /// Factor that brings intensities into 16 bits: 0..1 is stretched, larger ranges are compressed.
 [[nodiscard]] float las_intensity_factor(float largest);
 
-/// A LAS 1.4 file of point format 6, or 7 with colours, that comes in pieces. It appears when
-/// commit() is called.
+/// A LAS file as write_las() makes it, that comes in pieces. It appears when commit() is called.
 class LasPieceWriter {
  public:
   /// @returns kIo.
   [[nodiscard]] static Expected<LasPieceWriter> create(const std::filesystem::path& path,
                                                        LasScaling scaling);
   /// @pre validate(piece); every piece has the channels of the first. @returns errors of
-  /// `to_world`; kDegenerate for a point too far from the offset.
+  /// `to_world`; kDegenerate for a point too far from the offset and for more points than the
+  /// version can count.
   [[nodiscard]] Expected<void> add(const PointCloud& piece, const LasWorld& to_world);
   /// @returns kInsufficient when there were no points; kIo.
   [[nodiscard]] Expected<void> commit();

@@ -58,7 +58,8 @@ Expected<void> write_las(const std::filesystem::path& path,
          LasPieceWriter::create(path,
                                 {.offset = offset,
                                  .intensity_factor = las_intensity_factor(largest),
-                                 .wkt = projection ? projection->wkt() : options.wkt}));
+                                 .wkt = projection ? projection->wkt() : options.wkt,
+                                 .version = options.version}));
   if (auto added = file.add(cloud, to_world); !added) return added;
   return file.commit();
 }

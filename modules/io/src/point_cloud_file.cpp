@@ -110,7 +110,7 @@ Expected<bool> write_placed_cloud(const std::filesystem::path& path, const Place
       .crs = placed.crs,
       .has_intensity = !intensities.empty(),
       .largest_intensity = intensities.empty() ? 0.0F : std::ranges::max(intensities)};
-  HF_TRY(CloudWriter file, CloudWriter::create(path, survey, CloudEncoding::kDefault));
+  HF_TRY(CloudWriter file, CloudWriter::create(path, survey, CloudFormat{}));
   if (auto added = file.add(placed.cloud); !added) return std::unexpected(added.error());
   if (auto written = file.commit(); !written) return std::unexpected(written.error());
   return file.keeps_offset();

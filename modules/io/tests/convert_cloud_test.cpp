@@ -138,8 +138,8 @@ TEST(ConvertCloud, EncodingsAreThoseOfTheFormat) {
   ASSERT_TRUE(write_ply(folder.path() / "in.ply", cloud));
   const auto data_line = [&](const char* name, CloudEncoding encoding) {
     const std::filesystem::path out = folder.path() / name;
-    const auto done =
-        convert_cloud({.in = folder.path() / "in.ply", .out = out, .encoding = encoding});
+    const auto done = convert_cloud(
+        {.in = folder.path() / "in.ply", .out = out, .format = {.encoding = encoding}});
     if (!done) return done.error().message;
     const auto back = read_placed_cloud(out);
     EXPECT_TRUE(back);

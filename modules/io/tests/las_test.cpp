@@ -4,6 +4,7 @@
 #include <hybridfusion/io/las.hpp>
 
 #include <cstring>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -107,6 +108,57 @@ TEST(Las, GeoreferencedCloudIsInTheUtmZoneOfItsOrigin) {
   EXPECT_NEAR(header.point(bytes, 1).x() - zero.x(), 100.0 * grid_scale, 0.003);
   EXPECT_NEAR(header.point(bytes, 2).y() - zero.y(), 100.0 * grid_scale, 0.003);
   EXPECT_NEAR(header.point(bytes, 1).z(), 502.0, 0.003);
+}
+
+/// Offsets are those of LAS 1.2 and LAS 1.3 R11.
+TEST(Las, OlderVersionsHaveTheirHeaderCountsAndPointFormat) {
+  const TempFolder folder;
+  const PointCloud cloud = testing::sample_cloud(50);
+  for (const auto& [version, header_bytes] :
+       {std::pair{LasVersion::k12, 227U}, std::pair{LasVersion::k13, 235U}}) {
+    ASSERT_TRUE(write_las(folder.path() / "a.las", cloud, {.version = version}));
+    const std::string bytes = testing::content_of(folder.path() / "a.las");
+    EXPECT_EQ(at<std::uint8_t>(bytes, 25), static_cast<std::uint8_t>(version));
+    EXPECT_EQ(at<std::uint16_t>(bytes, 94), header_bytes);
+    const LasHeader header(bytes);
+    EXPECT_EQ(header.encoding, 1);  // no WKT bit
+    EXPECT_EQ(header.format, 3);
+    EXPECT_EQ(header.point_bytes, 35);  // 34 and one extra byte
+    EXPECT_EQ(at<std::uint32_t>(bytes, 107), 50U);
+    EXPECT_EQ(at<std::uint32_t>(bytes, 111), 50U);  // first returns
+    EXPECT_EQ(bytes.size(), header.points_at + 50U * 35U);
+    for (std::size_t i = 0; i < 50; ++i) {
+      const std::size_t from = header.points_at + i * 35;
+      EXPECT_EQ(at<std::uint8_t>(bytes, from + 14), 0x09);  // return 1 of 1
+      EXPECT_EQ(at<std::uint8_t>(bytes, from + 15), 1);     // unclassified
+      EXPECT_NEAR(at<double>(bytes, from + 20), cloud.times_s[i] - 315964800.0 + 18.0 - 1e9, 1e-6);
+      EXPECT_EQ(at<std::uint16_t>(bytes, from + 28), cloud.colors[i][0] * 257);
+      EXPECT_EQ(at<std::uint8_t>(bytes, from + 34), static_cast<std::uint8_t>(cloud.sources[i]));
+    }
+  }
+}
+
+TEST(Las, EveryVersionReadsBackWithItsSystem) {
+  const TempFolder folder;
+  const GeodeticOrigin origin = {.latitude_deg = 48.0, .longitude_deg = 9.0, .altitude_m = 500.0};
+  const PointCloud cloud = testing::sample_cloud(50);
+  ASSERT_TRUE(write_las(folder.path() / "a.las", cloud, {.georeference = LasGeoreference{origin}}));
+  const auto expected = read_las(folder.path() / "a.las");
+  ASSERT_TRUE(expected);
+  for (const LasVersion version : {LasVersion::k12, LasVersion::k13}) {
+    ASSERT_TRUE(write_las(folder.path() / "b.las",
+                          cloud,
+                          {.georeference = LasGeoreference{origin}, .version = version}));
+    const auto read = read_las(folder.path() / "b.las");
+    ASSERT_TRUE(read) << read.error().message;
+    testing::expect_equal(read->cloud, expected->cloud);
+    EXPECT_EQ(read->offset_m, expected->offset_m);
+    EXPECT_EQ(read->crs.wkt, expected->crs.wkt);
+    // Programs of their time know GeoTIFF keys only: ProjectedCSTypeGeoKey = 32632.
+    const std::string bytes = testing::content_of(folder.path() / "b.las");
+    const std::string key = {'\x00', '\x0c', 0, 0, 1, 0, '\x78', '\x7f'};
+    EXPECT_NE(bytes.find(key), std::string::npos);
+  }
 }
 
 TEST(Las, UtmZonesIncludeTheExceptions) {

@@ -92,8 +92,12 @@ Expected<FineResult> align_finely(FineInputs& inputs,
     return fine;  // too little of the drive is known or seen: no drift to speak of
   }
   drift = finding->correction;
-  if (!drift.supported) return fine;
-  return align_fine(inputs, fine.vision_from_lidar * finding->rigid, centroid, options.fine, ctx);
+  if (!drift.supported && finding->scale_stands) return fine;
+  FineOptions again = options.fine;
+  again.estimate_scale = again.estimate_scale && finding->scale_stands;
+  const Rigid3 start =
+      drift.supported ? fine.vision_from_lidar * finding->rigid : fine.vision_from_lidar;
+  return align_fine(inputs, start, centroid, again, ctx);
 }
 
 /// What the best place shows before the fine alignment.

@@ -53,6 +53,7 @@ struct RidgeTest {
 struct DriftFinding {
   DriftCorrection correction = {};  ///< In the LiDAR frame.
   Rigid3 rigid = {};                ///< In the leveled frame: the pose becomes pose * rigid.
+  bool scale_stands = true;         ///< False: what seemed a scale is a bend of the drive.
 };
 /// Estimates the drift about `fine` along the times of `lidar`, or along the sensor positions where
 /// it has none; a supported one is taken out of the samples.

@@ -3,6 +3,7 @@
 #include <hybridfusion/core/error.hpp>
 #include <hybridfusion/core/point_cloud.hpp>
 #include <hybridfusion/io/cloud_stream.hpp>
+#include <hybridfusion/io/las.hpp>
 
 #include <cstdint>
 #include <filesystem>
@@ -18,6 +19,12 @@ enum class CloudEncoding : std::uint8_t {
   kCompressed  ///< .pcd only; needs memory for the whole cloud.
 };
 
+/// What a format leaves open.
+struct CloudFormat {
+  CloudEncoding encoding = CloudEncoding::kDefault;
+  LasVersion las_version = LasVersion::k14;
+};
+
 /// Writes a cloud that comes in batches, in memory for one of them but for a compressed .pcd. The
 /// file appears when commit() is called.
 class CloudWriter {
@@ -25,11 +32,11 @@ class CloudWriter {
   /// @param path    .ply, .pcd, .xyz or .las. .las and .xyz get the coordinates with the offset
   ///                (and .las the CRS, when it is metric), .ply and .pcd those without.
   /// @param survey  Of the cloud that is written.
-  /// @returns kInvalidOptions for another extension or an encoding that the format does not have;
-  /// kIo.
+  /// @returns kInvalidOptions for another extension or an encoding that the file format does not
+  /// have; kIo.
   [[nodiscard]] static Expected<CloudWriter> create(const std::filesystem::path& path,
                                                     const CloudSurvey& survey,
-                                                    CloudEncoding encoding);
+                                                    const CloudFormat& format);
   CloudWriter(CloudWriter&&) noexcept;
   CloudWriter& operator=(CloudWriter&&) noexcept;
   ~CloudWriter();

@@ -20,7 +20,7 @@ struct CloudConversion {
   std::optional<std::filesystem::path> out = {};    ///< The cloud in another format.
   std::optional<std::filesystem::path> dsm = {};    ///< GeoTIFF of the surface height.
   std::optional<std::filesystem::path> ortho = {};  ///< GeoTIFF of the colours.
-  CloudEncoding encoding = CloudEncoding::kDefault;
+  CloudFormat format = {};
   SurfaceRasterOptions raster = {};
   std::optional<Georeference> georeference = {};  ///< Of a cloud in metres east, north, up.
   /// The georeference is a mere guess: a cloud in a coordinate system already stays there.

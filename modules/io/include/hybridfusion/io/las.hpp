@@ -5,6 +5,7 @@
 #include <hybridfusion/core/point_cloud.hpp>
 #include <hybridfusion/io/placed_cloud.hpp>
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -23,16 +24,21 @@ using LasGeoreference = Georeference;
 /// coordinates in degrees.
 [[nodiscard]] Expected<PlacedCloud> read_las(const std::filesystem::path& path);
 
+/// Minor version of LAS 1.
+enum class LasVersion : std::uint8_t { k12 = 2, k13 = 3, k14 = 4 };
+
 struct LasWriteOptions {
   std::optional<LasGeoreference> georeference = {};    ///< Absent: no change of coordinates.
   Eigen::Vector3d offset_m = Eigen::Vector3d::Zero();  ///< Added; not with a georeference.
   std::string wkt = {};  ///< CRS of the coordinates with the offset; not with a georeference.
+  LasVersion version = LasVersion::k14;
 };
 
-/// Writes LAS 1.4, point format 7 (GPS time and RGB) or, without colours, 6, millimetre steps, with
-/// a `source` extra byte (0 vision, 1 LiDAR) when the cloud has sources. With a georeference,
-/// coordinates become those of the CRS (by default the UTM zone of the origin on WGS84,
-/// with ellipsoidal heights) and the file carries its WKT.
+/// Writes LAS 1.4, point format 7 (GPS time and RGB) or, without colours, 6, or LAS 1.2 and 1.3,
+/// formats 3 and 1, in millimetre steps, with a `source` extra byte (0 vision, 1 LiDAR) when the
+/// cloud has sources. With a georeference, coordinates become those of the CRS (by default the UTM
+/// zone of the origin on WGS84, with ellipsoidal heights) and the file carries its WKT; LAS 1.2 and
+/// 1.3 also its EPSG codes as GeoTIFF keys, which is all that their readers know.
 /// @returns kInsufficient for an empty cloud, kDegenerate for an origin outside the UTM zones, kIo.
 [[nodiscard]] Expected<void> write_las(const std::filesystem::path& path,
                                        const PointCloud& cloud,
