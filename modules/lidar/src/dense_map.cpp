@@ -64,21 +64,31 @@ void DenseMap::add(std::uint32_t scan,
   }
 }
 
-bool DenseMap::is_supported(const Voxel& voxel) const {
-  int num_scans = voxel.num_scans;
+int DenseMap::scans_near(const Voxel& voxel, int reach) const {
   const VoxelIndex home = index_of(voxel.key);
-  for (int i = 0; i < 27 && num_scans < options_.min_scans; ++i) {
-    if (i == 13) continue;
-    const VoxelIndex at = home + VoxelIndex(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+  const int side = 2 * reach + 1;
+  int num_scans = voxel.num_scans;
+  for (int i = 0; i < side * side * side && num_scans < options_.min_scans; ++i) {
+    const VoxelIndex at =
+        home + VoxelIndex(i % side - reach, i / side % side - reach, i / (side * side) - reach);
     const std::uint32_t found = slots_[slot_of(voxel_key(at))];
     // A neighbour hit in the same scan only adds no other scan.
-    if (found == kNone || (voxels_[found].num_scans == 1 && voxel.num_scans == 1 &&
-                           voxels_[found].last_scan == voxel.last_scan)) {
+    if (found == kNone || at == home ||
+        (voxels_[found].num_scans == 1 && voxel.num_scans == 1 &&
+         voxels_[found].last_scan == voxel.last_scan)) {
       continue;
     }
     num_scans += voxels_[found].num_scans;
   }
-  return num_scans >= options_.min_scans;
+  return num_scans;
+}
+
+bool DenseMap::is_supported(const Voxel& voxel) const {
+  // Most voxels need no neighbour, most others the nearest; far surfaces are sampled more thinly.
+  for (const int reach : {0, 1, kSupportReach}) {
+    if (scans_near(voxel, reach) >= options_.min_scans) return true;
+  }
+  return false;
 }
 
 std::vector<std::uint32_t> DenseMap::brief_voxels() const {

@@ -20,6 +20,9 @@ struct PlanBox {
   Eigen::Vector2i high = Eigen::Vector2i::Constant(std::numeric_limits<int>::max());
 };
 
+/// Hits as many voxels away support a voxel.
+inline constexpr int kSupportReach = 3;
+
 /// Thins a stream of points to one (the mean) in each voxel and remembers how many scans hit it.
 /// 48 bytes a voxel.
 class DenseMap {
@@ -35,8 +38,8 @@ class DenseMap {
     return voxels_[voxel].mean;
   }
   void drop(std::uint32_t voxel) { voxels_[voxel].dropped = true; }
-  /// Voxels in the box that, with their neighbours, were hit in min_scans scans, in order of their
-  /// first hit. @param time_origin  Added to the times given to add().
+  /// Voxels in the box that, with those within kSupportReach, were hit in min_scans scans, in order
+  /// of their first hit. @param time_origin  Added to the times given to add().
   [[nodiscard]] PointCloud extract(Timestamp time_origin, const PlanBox& box = {}) const;
   [[nodiscard]] std::size_t size() const { return voxels_.size(); }
 
@@ -54,6 +57,8 @@ class DenseMap {
   };
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
   [[nodiscard]] std::size_t slot_of(std::uint64_t key) const;
+  /// Scans that hit the voxel or one at most `reach` voxels away; stops at min_scans.
+  [[nodiscard]] int scans_near(const Voxel& voxel, int reach) const;
   [[nodiscard]] bool is_supported(const Voxel& voxel) const;
   void grow();
 

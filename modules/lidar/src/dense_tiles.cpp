@@ -32,8 +32,8 @@ Expected<void> DenseTiles::put_aside(Tile& tile) {
 
 Expected<void> DenseTiles::add(const TilePoint& point) {
   const VoxelIndex voxel = voxel_of({point.x, point.y, point.z}, voxel_m_);
-  for (int x = tile_of(voxel.x() - 1); x <= tile_of(voxel.x() + 1); ++x) {
-    for (int y = tile_of(voxel.y() - 1); y <= tile_of(voxel.y() + 1); ++y) {
+  for (int x = tile_of(voxel.x() - kSupportReach); x <= tile_of(voxel.x() + kSupportReach); ++x) {
+    for (int y = tile_of(voxel.y() - kSupportReach); y <= tile_of(voxel.y() + kSupportReach); ++y) {
       Tile& tile = tiles_[{x, y}];
       tile.open.push_back(point);
       ++num_open_;

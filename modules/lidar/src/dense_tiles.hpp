@@ -17,8 +17,8 @@ struct TilePoint {
   std::uint32_t scan = 0;
 };
 
-/// Map points by square tiles of the plan, put aside in a spill file. Points within a voxel of a
-/// border go to both sides, so that each tile sees the neighbours of its voxels.
+/// Map points by square tiles of the plan, put aside in a spill file. Points within kSupportReach
+/// voxels of a border go to both sides, so that each tile sees the neighbours of its voxels.
 class DenseTiles {
  public:
   DenseTiles(double voxel_m, SpillFile spill);

@@ -36,6 +36,19 @@ TEST(DenseMap, CountsNeighboursOfAnotherScanAsSupport) {
   EXPECT_EQ(map.extract({}).size(), 2U);
 }
 
+TEST(DenseMap, KeepsThinlySampledSurfacesAndDropsLoneReturns) {
+  DenseMap map({.voxel_m = 0.1, .min_scans = 2});
+  // Lines of two scans on a far wall, 0.25 m apart, and a raindrop 0.5 m in front of it.
+  for (int i = 0; i < 20; ++i) {
+    map.add(0, {50.05F, 0.2F * static_cast<float>(i) + 0.05F, 2.05F}, 0.0F, 0.0F);
+    map.add(1, {50.05F, 0.2F * static_cast<float>(i) + 0.05F, 2.30F}, 0.0F, 0.1F);
+  }
+  map.add(1, {49.55F, 2.05F, 2.15F}, 0.0F, 0.1F);
+  const PointCloud cloud = map.extract({});
+  EXPECT_EQ(cloud.size(), 40U);
+  EXPECT_TRUE(std::ranges::all_of(cloud.points, [](const auto& p) { return p.x() > 50.0F; }));
+}
+
 TEST(DenseMap, TellsWhatWasHitBrieflyAboveTheGround) {
   DenseMap map({.voxel_m = 0.1, .min_scans = 1, .max_brief_s = 3.0});
   for (std::uint32_t scan = 0; scan < 50; ++scan) {

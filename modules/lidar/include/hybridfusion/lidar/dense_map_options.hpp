@@ -28,8 +28,8 @@ struct OptionFields<DenseMapOptions> {
              .unit = "1",
              .min = 1,
              .max = 100,
-             .doc = "A voxel stays when it and its neighbours were hit in this many scans: drops "
-                    "stray returns.",
+             .doc = "A voxel stays when it and those within three voxels were hit in this many "
+                    "scans: drops stray returns.",
              .source = "ours"}},
       Field{&T::max_brief_s,
             {.key = "max_brief_s",
