@@ -55,6 +55,13 @@ struct DriftFinding {
   Rigid3 rigid = {};                ///< In the leveled frame: the pose becomes pose * rigid.
   bool scale_stands = true;         ///< False: what seemed a scale is a bend of the drive.
 };
+/// Whether a scale found with L taken as rigid is the photos', and not a bend of the drive around a
+/// block, which resembles one: held-out pieces of the drive fit with it, need no bend beside it,
+/// and are not explained better by a bend alone.
+/// @param scaled, unscaled  Drift about the pose with and without the scale.
+[[nodiscard]] bool scale_stands(const DriftCorrection& scaled,
+                                const DriftCorrection& unscaled,
+                                const DriftOptions& options);
 /// Estimates the drift about `fine` along the times of `lidar`, or along the sensor positions where
 /// it has none; a supported one is taken out of the samples.
 /// @returns kInsufficient when the way of the LiDAR or the overlap says too little, kCancelled.

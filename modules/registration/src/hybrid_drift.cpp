@@ -56,9 +56,18 @@ double path_length_m(std::span<const Eigen::Vector3d> positions) {
   return length_m;
 }
 
-/// A bend around a block resembles a scale, so that the scale found with L taken as rigid may be
-/// the bend's. It stands when held-out pieces of the drive fit with it, need no bend beside it, and
-/// are not explained better by a bend alone.
+DriftCorrection from_leveled(DriftCorrection correction, const PreparedClouds& clouds) {
+  const Eigen::Quaterniond back = clouds.leveled_from_lidar.inverse();
+  for (DriftKnot& knot : correction.knots) {
+    knot.pivot = back * knot.pivot;
+    knot.shift_m = back * knot.shift_m;
+    knot.turn_rad = back * knot.turn_rad;
+  }
+  return correction;
+}
+
+}  // namespace
+
 bool scale_stands(const DriftCorrection& scaled,
                   const DriftCorrection& unscaled,
                   const DriftOptions& options) {
@@ -71,18 +80,6 @@ bool scale_stands(const DriftCorrection& scaled,
       unscaled.held_out_after_m < kMargin * scaled.held_out_after_m;
   return !bend_is_better && !scaled.supported && scaled.held_out_before_m < kMaxResidual_m;
 }
-
-DriftCorrection from_leveled(DriftCorrection correction, const PreparedClouds& clouds) {
-  const Eigen::Quaterniond back = clouds.leveled_from_lidar.inverse();
-  for (DriftKnot& knot : correction.knots) {
-    knot.pivot = back * knot.pivot;
-    knot.shift_m = back * knot.shift_m;
-    knot.turn_rad = back * knot.turn_rad;
-  }
-  return correction;
-}
-
-}  // namespace
 
 Expected<DriftFinding> find_drift(FineInputs& inputs,
                                   const PreparedClouds& clouds,

@@ -1,4 +1,5 @@
 #include "fine_alignment.hpp"
+#include "hybrid.hpp"
 #include "patch_votes.hpp"
 #include "street_scene.hpp"
 
@@ -96,6 +97,7 @@ TEST(RegisterCrossSource, StraightensALidarCloudThatDriftsAlongTheDrive) {
     ASSERT_TRUE(result->drift.supported)
         << result->drift.held_out_before_m << " -> " << result->drift.held_out_after_m;
     EXPECT_EQ(result->drift.axis, by_time ? DriftAxis::kTime : DriftAxis::kPath);
+    EXPECT_FALSE(result->vision_scale_supported);
     const auto straight = without_drift(lidar, result->drift, input.sensor_positions);
     ASSERT_TRUE(straight) << straight.error().message;
     const double before = rms_to_straight(lidar, result->vision_from_lidar, block.straight);
@@ -103,6 +105,28 @@ TEST(RegisterCrossSource, StraightensALidarCloudThatDriftsAlongTheDrive) {
     EXPECT_LT(after, 0.4 * before);
     EXPECT_LT(after, 0.08);
   }
+}
+
+/// Mean residuals of held-out pieces as simulated drives leave them.
+DriftCorrection judged(bool supported, double before_m, double after_m) {
+  return {.supported = supported, .held_out_before_m = before_m, .held_out_after_m = after_m};
+}
+
+TEST(ScaleStands, WhereItExplainsTheDriveWithoutABend) {
+  const DriftCorrection bend = judged(true, 0.0320, 0.0226);
+  EXPECT_TRUE(scale_stands(judged(false, 0.0242, 0.0225), bend, {}));
+}
+
+TEST(ScaleStands, NotWhereABendIsNeededBesideIt) {
+  EXPECT_FALSE(scale_stands(judged(true, 0.0420, 0.0327), judged(true, 0.0894, 0.0318), {}));
+}
+
+TEST(ScaleStands, NotWhereABendAloneIsBetter) {
+  EXPECT_FALSE(scale_stands(judged(false, 0.0300, 0.0267), judged(true, 0.0452, 0.0233), {}));
+}
+
+TEST(ScaleStands, NotWhereNothingFits) {
+  EXPECT_FALSE(scale_stands(judged(false, 0.0564, 0.0702), judged(true, 0.0760, 0.0615), {}));
 }
 
 TEST(RegisterCrossSource, LeavesALidarCloudWithoutDriftAsItIs) {

@@ -1,8 +1,5 @@
 #include "device_matcher.hpp"
 
-#include "cuda/sgm_problem.hpp"
-#include "path_aggregation.hpp"
-
 #include <string>
 
 namespace hybridfusion {
@@ -33,6 +30,25 @@ const char* run_on_device([[maybe_unused]] const device::SgmProblem& problem,
 
 }  // namespace
 
+device::SgmProblem sgm_problem(const RectifiedImages& images,
+                               const DisparityRanges& ranges,
+                               const StepPenalties& penalties,
+                               const StereoOptions& options) {
+  return {.width = images.left.width,
+          .height = images.left.height,
+          .num_disparities = images.num_disparities,
+          .left = images.left.values.data(),
+          .right = images.right.values.data(),
+          .right_mask = images.right_mask.values.data(),
+          .low = ranges.low.values.data(),
+          .count = ranges.count.values.data(),
+          .large_penalty = penalties.large.data(),
+          .small_penalty = penalties.small,
+          .diagonal_paths = options.diagonal_paths,
+          .uniqueness = options.uniqueness,
+          .max_left_right_px = options.max_left_right_px};
+}
+
 std::unique_ptr<DeviceMatcher> DeviceMatcher::open(const StereoOptions& options,
                                                    const RunContext& ctx) {
   if (options.backend == "cpu") return nullptr;
@@ -54,20 +70,8 @@ std::optional<ImagePlane<float>> DeviceMatcher::match(const RectifiedImages& ima
   const StepPenalties penalties =
       step_penalties(options.smoothness_small, options.smoothness_large);
   ImagePlane<float> disparity(images.left.width, images.left.height);
-  const char* problem = run_on_device({.width = images.left.width,
-                                       .height = images.left.height,
-                                       .num_disparities = images.num_disparities,
-                                       .left = images.left.values.data(),
-                                       .right = images.right.values.data(),
-                                       .right_mask = images.right_mask.values.data(),
-                                       .low = ranges.low.values.data(),
-                                       .count = ranges.count.values.data(),
-                                       .large_penalty = penalties.large.data(),
-                                       .small_penalty = penalties.small,
-                                       .diagonal_paths = options.diagonal_paths,
-                                       .uniqueness = options.uniqueness,
-                                       .max_left_right_px = options.max_left_right_px},
-                                      disparity.values.data());
+  const char* problem =
+      run_on_device(sgm_problem(images, ranges, penalties, options), disparity.values.data());
   if (problem == nullptr) return disparity;
   if (!failed_.exchange(true)) {
     ctx_.warn(std::string("the CUDA device failed (") + problem +

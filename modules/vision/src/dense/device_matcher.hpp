@@ -1,5 +1,7 @@
 #pragma once
 
+#include "cuda/sgm_problem.hpp"
+#include "path_aggregation.hpp"
 #include "semi_global_matching.hpp"
 
 #include <hybridfusion/core/run_context.hpp>
@@ -10,6 +12,12 @@
 #include <string_view>
 
 namespace hybridfusion {
+
+/// The pair in bare arrays, which must outlive it.
+[[nodiscard]] device::SgmProblem sgm_problem(const RectifiedImages& images,
+                                             const DisparityRanges& ranges,
+                                             const StepPenalties& penalties,
+                                             const StereoOptions& options);
 
 /// Semi-global matching on a CUDA device, with the disparities of match_semi_globally(). May be
 /// used from several threads. The first failure is logged and ends its use.
