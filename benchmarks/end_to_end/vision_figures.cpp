@@ -6,12 +6,15 @@
 #include "imported_poses.hpp"
 #include "matching_speed.hpp"
 #include "pair_selection.hpp"
+#include "vision_files.hpp"
 
+#include <hybridfusion/io/colmap_model.hpp>
 #include <hybridfusion/io/photo_folder.hpp>
 #include <hybridfusion/pipeline/pipeline_options.hpp>
 #include <hybridfusion/vision/reconstruct.hpp>
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <map>
@@ -32,6 +35,7 @@ struct Arguments {
   std::string images = {};
   std::string poses = {};
   std::string pairs_file = {};
+  std::string model = {};
   std::string scratch = {};
   std::vector<std::string> settings = {};
 };
@@ -100,7 +104,8 @@ Expected<std::size_t> write_pairs(const PhotoFolder& folder,
                                   const std::string& file) {
   std::vector<PhotoMetadata> metadata;
   for (const Photo& photo : folder.photos) metadata.push_back(photo.metadata);
-  HF_TRY(const GnssIngest gnss, ingest_gnss(metadata, options.gnss));
+  const auto ingested = ingest_gnss(metadata, options.gnss);
+  const GnssIngest gnss = ingested ? *ingested : without_gnss(metadata, ingested.error().message);
   const std::vector<PhotoPair> pairs = select_pairs(metadata, gnss, options.pairs);
   if (!file.empty()) {
     std::ofstream out(file);
@@ -242,6 +247,13 @@ Expected<Json> measure(const Arguments& arguments) {
   Json json{{"images", arguments.images}, {"photos", folder.photos.size()}};
   HF_TRY(const Reconstruction reconstruction,
          poses_of(folder, arguments, options.vision.reconstruction, json));
+  if (!arguments.model.empty()) {
+    std::filesystem::create_directories(arguments.model);
+    if (auto written = write_colmap_model(arguments.model, colmap_model_of(reconstruction));
+        !written) {
+      return std::unexpected(written.error());
+    }
+  }
   json["registered"] = std::ranges::count_if(
       reconstruction.views, [](const View& v) { return v.enu_from_camera.has_value(); });
   HF_TRY(json["dense"],
@@ -258,6 +270,7 @@ int main(int argc, char** argv) {
   app.add_option("--images", arguments.images, "Folder of JPEG photos")->required();
   app.add_option("--poses", arguments.poses, "COLMAP text model: only the dense part is measured");
   app.add_option("--pairs-file", arguments.pairs_file, "Where to write the pairs that are matched");
+  app.add_option("--model", arguments.model, "Folder for the poses, a COLMAP text model");
   app.add_option("--scratch", arguments.scratch, "Folder for depth maps that exceed the memory");
   app.add_option("--set", arguments.settings, "group.option=value (repeatable)");
   CLI11_PARSE(app, argc, argv);

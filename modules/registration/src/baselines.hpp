@@ -14,7 +14,11 @@ namespace hybridfusion {
                                                         const NdtOptions& options,
                                                         const RunContext& ctx);
 
-/// A baseline's pose in the common result record: pose, its similarity, the outline evidence at it.
+/// Facades and ground at a pose that was found without the outlines.
+[[nodiscard]] PoseEvidence baseline_evidence(const PreparedClouds& clouds,
+                                             const Rigid3& vision_from_leveled);
+
+/// A baseline's pose in the common result record: pose, its similarity, the evidence at it.
 [[nodiscard]] RegistrationResult baseline_result(const PreparedClouds& clouds,
                                                  const Rigid3& vision_from_leveled,
                                                  bool converged);

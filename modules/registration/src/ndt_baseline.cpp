@@ -35,6 +35,11 @@ Expected<RegistrationResult> register_ndt(const PreparedClouds& clouds,
   return result;
 }
 
+PoseEvidence baseline_evidence(const PreparedClouds& clouds, const Rigid3& vision_from_leveled) {
+  constexpr double kOverhang_m = 0.25;  // as the outline search finds it on ordinary roofs
+  return judge_pose(clouds.maps, clouds.lidar_maps, vision_from_leveled, kOverhang_m);
+}
+
 RegistrationResult baseline_result(const PreparedClouds& clouds,
                                    const Rigid3& vision_from_leveled,
                                    bool converged) {
@@ -43,8 +48,7 @@ RegistrationResult baseline_result(const PreparedClouds& clouds,
   const Rigid3 inverse = result.vision_from_lidar.inverse();
   result.lidar_from_vision_similarity = {.rotation = inverse.rotation,
                                          .translation = inverse.translation};
-  const PoseEvidence evidence =
-      judge_pose(clouds.maps, clouds.lidar_maps, vision_from_leveled, 0.25);
+  const PoseEvidence evidence = baseline_evidence(clouds, vision_from_leveled);
   result.scores = {{"converged", converged ? 1.0 : 0.0},
                    {"facade_share_on_edges", evidence.facade_share},
                    {"facade_share_on_ground", evidence.facade_on_ground},

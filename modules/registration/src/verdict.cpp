@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -27,11 +28,48 @@ struct Factor {
 
 /// Limits come from the options; the comfortable values beside them are those that every right pose
 /// of the calibration scenes reached (synthetic blocks and crops of 12 to 60 m radius).
+std::vector<Factor> weigh_surfaces(const PoseEvidence& e, const VerdictOptions& o) {
+  return {
+      {ramp(e.facade_share, o.min_facade_share, o.min_facade_share + 0.25),
+       fmt::format("only {:.2f} of the facades lie on roof rims (limit {:.2f})",
+                   e.facade_share,
+                   o.min_facade_share)},
+      {ramp(e.facade_on_ground, o.max_facade_on_ground, 0.3 * o.max_facade_on_ground),
+       fmt::format("{:.2f} of the facades stand on open ground of the vision cloud (limit {:.2f})",
+                   e.facade_on_ground,
+                   o.max_facade_on_ground)},
+      {ramp(e.ground_share, o.min_ground_share, 0.5 + 0.5 * o.min_ground_share),
+       fmt::format("only {:.2f} of the LiDAR ground lies within 0.2 m of the vision ground (limit "
+                   "{:.2f})",
+                   e.ground_share,
+                   o.min_ground_share)},
+      {ramp(e.free_violations, o.max_free_violations, 0.3 * o.max_free_violations),
+       fmt::format("{:.2f} of the LiDAR ground lies inside vision buildings (limit {:.2f})",
+                   e.free_violations,
+                   o.max_free_violations)},
+  };
+}
+
+double product(const std::vector<Factor>& factors) {
+  double confidence = 1.0;
+  for (const Factor& factor : factors) confidence *= factor.value;
+  return confidence;
+}
+
+/// What is to be said when the product is too small.
+std::string weakest(const std::vector<Factor>& factors, double confidence, double min_confidence) {
+  return fmt::format("the evidence leaves a confidence of {:.2f} (at least {:.2f} needed): {}",
+                     confidence,
+                     min_confidence,
+                     std::ranges::min_element(factors, {}, &Factor::value)->complaint);
+}
+
+/// The place among others, its surfaces, and the votes of patches.
 std::vector<Factor> weigh(const Evidence& e, const VerdictOptions& o) {
   constexpr double kDeg = 57.29577951308232;
   constexpr std::size_t kMinVoters = 6;
   const double ratio = peak_ratio(e);
-  return {
+  std::vector<Factor> factors{
       {ramp(e.best.facade_weight_on_edges, o.min_facade_weight, 2.4 * o.min_facade_weight),
        fmt::format("only {:.0f} facade columns meet a roof rim (limit {:.0f}): too little overlap, "
                    "or no buildings",
@@ -57,25 +95,6 @@ std::vector<Factor> weigh(const Evidence& e, const VerdictOptions& o) {
                    kDeg * e.ridge.bearing_rad,
                    e.ridge.ratio,
                    o.max_ridge_ratio)},
-      {ramp(e.best.facade_share, o.min_facade_share, o.min_facade_share + 0.25),
-       fmt::format("only {:.2f} of the facades lie on roof rims (limit {:.2f})",
-                   e.best.facade_share,
-                   o.min_facade_share)},
-      {ramp(e.best.facade_on_ground, o.max_facade_on_ground, 0.3 * o.max_facade_on_ground),
-       fmt::format("{:.2f} of the facades stand on open ground of the vision cloud (limit {:.2f})",
-                   e.best.facade_on_ground,
-                   o.max_facade_on_ground)},
-      {e.ground_inliers == 0
-           ? 0.0
-           : ramp(e.best.ground_share, o.min_ground_share, 0.5 + 0.5 * o.min_ground_share),
-       fmt::format("only {:.2f} of the LiDAR ground lies within 0.2 m of the vision ground (limit "
-                   "{:.2f})",
-                   e.best.ground_share,
-                   o.min_ground_share)},
-      {ramp(e.best.free_violations, o.max_free_violations, 0.3 * o.max_free_violations),
-       fmt::format("{:.2f} of the LiDAR ground lies inside vision buildings (limit {:.2f})",
-                   e.best.free_violations,
-                   o.max_free_violations)},
       {e.patches_tried < kMinVoters || o.min_patch_share == 0.0
            ? 1.0
            : ramp(e.patch_share, o.min_patch_share, 2.0 * o.min_patch_share),
@@ -84,7 +103,10 @@ std::vector<Factor> weigh(const Evidence& e, const VerdictOptions& o) {
                    e.patches_tried,
                    o.min_patch_share)},
       {e.fine_agrees ? 1.0 : 0.6, "the surfaces lead away from the place that the outlines found"},
+      {e.ground_inliers == 0 ? 0.0 : 1.0, "no LiDAR ground lies on vision ground"},
   };
+  std::ranges::move(weigh_surfaces(e.best, o), std::back_inserter(factors));
+  return factors;
 }
 
 /// The complaint of the weakest factor when the product is too small; empty when it is not.
@@ -98,13 +120,19 @@ std::string reason_to_refuse(const std::vector<Factor>& factors,
                        options.max_sigma_m);
   }
   if (confidence >= options.min_confidence) return {};
-  return fmt::format("the evidence leaves a confidence of {:.2f} (at least {:.2f} needed): {}",
-                     confidence,
-                     options.min_confidence,
-                     std::ranges::min_element(factors, {}, &Factor::value)->complaint);
+  return weakest(factors, confidence, options.min_confidence);
 }
 
 }  // namespace
+
+SurfaceVerdict judge_surfaces(const PoseEvidence& evidence, const VerdictOptions& options) {
+  const std::vector<Factor> factors = weigh_surfaces(evidence, options);
+  SurfaceVerdict verdict{.confidence = product(factors)};
+  if (verdict.confidence < options.min_confidence) {
+    verdict.reason = weakest(factors, verdict.confidence, options.min_confidence);
+  }
+  return verdict;
+}
 
 void pronounce(const Evidence& e, const VerdictOptions& o, RegistrationResult& result) {
   const double sigma_m = std::sqrt(result.covariance.topLeftCorner<3, 3>().trace());
@@ -142,8 +170,7 @@ void pronounce(const Evidence& e, const VerdictOptions& o, RegistrationResult& r
       {"drift_supported", result.drift.supported ? 1.0 : 0.0},
   };
   const std::vector<Factor> factors = weigh(e, o);
-  double confidence = 1.0;
-  for (const Factor& factor : factors) confidence *= factor.value;
+  const double confidence = product(factors);
   result.reason = reason_to_refuse(factors, confidence, sigma_m, o);
   if (!result.reason.empty()) {
     result.status = RegistrationStatus::kRefused;

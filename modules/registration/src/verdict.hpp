@@ -3,6 +3,8 @@
 #include "fine_alignment.hpp"
 #include "hybrid.hpp"
 
+#include <string>
+
 namespace hybridfusion {
 
 /// Everything measured about the best place.
@@ -23,6 +25,17 @@ struct Evidence {
   double patch_share = 0.0;  ///< Of these, in the cluster around the pose.
   double patch_spread_m = 0.0;
 };
+
+struct SurfaceVerdict {
+  double confidence = 0.0;
+  std::string reason =
+      {};  ///< To refuse the pose; empty when its surfaces do not speak against it.
+};
+
+/// What facades and ground alone say of a pose, however it was found: rims under the facades, no
+/// facades on open ground, one ground, and none of it inside buildings.
+[[nodiscard]] SurfaceVerdict judge_surfaces(const PoseEvidence& evidence,
+                                            const VerdictOptions& options);
 
 /// Status, reason, confidence and scores of `result` from the evidence.
 void pronounce(const Evidence& evidence, const VerdictOptions& options, RegistrationResult& result);

@@ -225,7 +225,9 @@ TEST(RegisterCrossSource, PaperReportsItsPatchesInTheCommonResult) {
   EXPECT_EQ(result->method, "paper");
   EXPECT_EQ(result->score("patches"), static_cast<double>(result->patches.size()));
   EXPECT_GT(result->patches.size(), 0U);
-  EXPECT_EQ(result->status == RegistrationStatus::kRefused, result->confidence == 0.0);
+  const bool refused = result->status == RegistrationStatus::kRefused;
+  EXPECT_EQ(refused, !result->reason.empty());
+  EXPECT_EQ(refused, result->confidence < options.verdict.min_confidence);
 }
 
 }  // namespace

@@ -1,12 +1,29 @@
 #include "paper_method.hpp"
 
 #include "baselines.hpp"
+#include "verdict.hpp"
 
 #include <hybridfusion/registration/paper_registration.hpp>
 
 #include <utility>
 
 namespace hybridfusion {
+namespace {
+
+/// The paper refuses nothing; patches that agree by accident stand in each other's walls.
+void refuse_against_surfaces(const PreparedClouds& clouds,
+                             const Rigid3& vision_from_leveled,
+                             const RegistrationOptions& options,
+                             RegistrationResult& result) {
+  const SurfaceVerdict verdict =
+      judge_surfaces(baseline_evidence(clouds, vision_from_leveled), options.verdict);
+  result.confidence = verdict.confidence;
+  if (verdict.reason.empty()) return;
+  result.status = RegistrationStatus::kRefused;
+  result.reason = verdict.reason;
+}
+
+}  // namespace
 
 Expected<RegistrationResult> register_paper(const PreparedClouds& clouds,
                                             const RegistrationOptions& options,
@@ -22,6 +39,7 @@ Expected<RegistrationResult> register_paper(const PreparedClouds& clouds,
                              ctx));
   RegistrationResult result = baseline_result(clouds, chain.vision_from_lidar, chain.supported);
   result.reason = chain.reason;
+  if (chain.supported) refuse_against_surfaces(clouds, chain.vision_from_lidar, options, result);
   result.scores.push_back({"patches", static_cast<double>(chain.patches.size())});
   result.scores.push_back({"patch_poses", static_cast<double>(chain.num_poses)});
   result.scores.push_back({"cluster_members", static_cast<double>(chain.num_cluster_members)});

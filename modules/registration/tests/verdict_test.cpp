@@ -1,0 +1,53 @@
+#include "verdict.hpp"
+
+#include "baselines.hpp"
+#include "street_scene.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+namespace hybridfusion {
+namespace {
+
+PreparedClouds prepared(std::uint64_t seed) {
+  const test::Scene scene =
+      test::make_scene(seed, {.half_extent_m = 30.0, .lidar_half_extent_m = 36.0, .trees = 6});
+  auto clouds = prepare_clouds(scene.vision, scene.lidar, {}, {}, RunContext{});
+  EXPECT_TRUE(clouds) << clouds.error().message;
+  return std::move(*clouds);
+}
+
+TEST(JudgeSurfaces, AcceptsTheTruePoseAndRefusesThoseThreeMetresAside) {
+  for (const std::uint64_t seed : {3, 4}) {
+    const PreparedClouds clouds = prepared(seed);
+    const SurfaceVerdict truth = judge_surfaces(baseline_evidence(clouds, {}), {});
+    EXPECT_EQ(truth.reason, "");
+    EXPECT_GT(truth.confidence, 0.9);
+    for (int k = 0; k < 8; ++k) {
+      const double bearing_rad = k * std::numbers::pi / 4.0;
+      const Rigid3 aside{
+          .translation = {3.0 * std::cos(bearing_rad), 3.0 * std::sin(bearing_rad), 0.0}};
+      const SurfaceVerdict wrong = judge_surfaces(baseline_evidence(clouds, aside), {});
+      EXPECT_NE(wrong.reason, "") << "seed " << seed << ", bearing " << k;
+      EXPECT_LT(wrong.confidence, VerdictOptions{}.min_confidence);
+    }
+  }
+}
+
+TEST(JudgeSurfaces, NamesWhatSpeaksAgainstThePose) {
+  const PoseEvidence good{.facade_share = 0.95, .ground_share = 1.0};
+  EXPECT_EQ(judge_surfaces(good, {}).reason, "");
+  EXPECT_EQ(judge_surfaces(good, {}).confidence, 1.0);
+  PoseEvidence inside = good;
+  inside.free_violations = 0.25;
+  EXPECT_NE(judge_surfaces(inside, {}).reason.find("inside vision buildings"), std::string::npos);
+  PoseEvidence above = good;
+  above.ground_share = 0.4;
+  EXPECT_NE(judge_surfaces(above, {}).reason.find("within 0.2 m of the vision ground"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace hybridfusion
