@@ -18,8 +18,8 @@ struct Evidence {
   double linear_share = 0.0;
   RidgeTest ridge = {};
   bool used_prior = false;
-  bool has_fine = false;
-  bool fine_agrees = false;
+  bool has_fine = false;     ///< The surfaces could be aligned,
+  bool fine_agrees = false;  ///< ... and stayed at the place that the outlines found.
   FineResult fine = {};
   std::size_t patches_tried = 0;
   double patch_share = 0.0;  ///< Of these, in the cluster around the pose.

@@ -49,5 +49,26 @@ TEST(JudgeSurfaces, NamesWhatSpeaksAgainstThePose) {
             std::string::npos);
 }
 
+TEST(Pronounce, RefusesAPlaceFromWhichTheSurfacesLeadAway) {
+  Evidence e{.best_score = 100.0,
+             .second_score = 30.0,
+             .best = {.facade_weight_on_edges = 500.0, .facade_share = 0.95, .ground_share = 1.0},
+             .ground_inliers = 1000,
+             .linear_share = 0.5,
+             .has_fine = true,
+             .fine_agrees = true};
+  RegistrationResult result;
+  pronounce(e, {}, result);
+  EXPECT_EQ(result.status, RegistrationStatus::kOk) << result.reason;
+  e.fine_agrees = false;
+  pronounce(e, {}, result);
+  EXPECT_EQ(result.status, RegistrationStatus::kRefused);
+  EXPECT_NE(result.reason.find("lead away"), std::string::npos) << result.reason;
+  e.has_fine = false;  // nothing to align, nothing that contradicts
+  pronounce(e, {}, result);
+  EXPECT_EQ(result.status, RegistrationStatus::kOk) << result.reason;
+  EXPECT_LT(result.confidence, 0.7);
+}
+
 }  // namespace
 }  // namespace hybridfusion
