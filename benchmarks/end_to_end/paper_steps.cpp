@@ -13,7 +13,9 @@
 #include <exception>
 #include <filesystem>
 #include <optional>
+#include <ranges>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -39,7 +41,7 @@ struct NamedPair {
   Rigid3 truth = {};
 };
 
-/// None of the changes, to which one is added.
+/// None of the changes, to which some are added.
 PaperImprovements alone() {
   return {.half_step_patches = false,
           .describe_spliced = false,
@@ -48,34 +50,36 @@ PaperImprovements alone() {
           .min_overlap = 0.0};
 }
 
-/// The published chain, one change alone, or all that the options name.
+/// Switches one change on; false when none is called so.
+bool add_change(std::string_view name, PaperImprovements& changes) {
+  if (name == "half_step_patches") {
+    changes.half_step_patches = true;
+  } else if (name == "describe_spliced") {
+    changes.describe_spliced = true;
+  } else if (name == "describe_above_m") {
+    changes.describe_above_m = 2.0;
+  } else if (name == "best_candidates") {
+    changes.best_candidates = 5;
+  } else if (name == "min_overlap") {
+    changes.min_overlap = 0.5;
+  } else {
+    return false;
+  }
+  return true;
+}
+
+/// The published chain, the improved one as the options have it, or some changes joined by '+'.
 Expected<RegistrationOptions> options_of(const std::string& variant) {
   RegistrationOptions options;
   options.method = "paper";
-  PaperOptions& paper = options.paper;
   if (variant == "published") return options;
-  paper.variant = "improved";
+  options.paper.variant = "improved";
   if (variant == "improved") return options;
-  const PaperImprovements all{.half_step_patches = true,
-                              .describe_spliced = true,
-                              .describe_above_m = 2.0,
-                              .best_candidates = 5,
-                              .min_overlap = 0.5};
-  paper.improved = alone();
-  if (variant == "all") {
-    paper.improved = all;
-  } else if (variant == "half_step_patches") {
-    paper.improved.half_step_patches = all.half_step_patches;
-  } else if (variant == "describe_spliced") {
-    paper.improved.describe_spliced = all.describe_spliced;
-  } else if (variant == "describe_above_m") {
-    paper.improved.describe_above_m = all.describe_above_m;
-  } else if (variant == "best_candidates") {
-    paper.improved.best_candidates = all.best_candidates;
-  } else if (variant == "min_overlap") {
-    paper.improved.min_overlap = all.min_overlap;
-  } else {
-    return fail(ErrorCode::kInvalidOptions, fmt::format("no variant is called '{}'", variant));
+  options.paper.improved = alone();
+  for (const auto part : std::views::split(variant, '+')) {
+    const std::string_view name(part.begin(), part.end());
+    if (add_change(name, options.paper.improved)) continue;
+    return fail(ErrorCode::kInvalidOptions, fmt::format("no variant is called '{}'", name));
   }
   return options;
 }
@@ -209,10 +213,11 @@ int main(int argc, char** argv) try {
   app.add_option("--starts", settings.starts, "Groups of registration_pairs that give the start")
       ->delimiter(',')
       ->capture_default_str();
-  app.add_option("--variants",
-                 settings.variants,
-                 "published, improved, all, or one change: half_step_patches, describe_spliced, "
-                 "describe_above_m, best_candidates, min_overlap")
+  app.add_option(
+         "--variants",
+         settings.variants,
+         "published, improved, or changes joined by +: half_step_patches, describe_spliced, "
+         "describe_above_m, best_candidates, min_overlap")
       ->delimiter(',')
       ->capture_default_str();
   app.add_option("--threads", settings.threads, "Threads of a registration")->capture_default_str();

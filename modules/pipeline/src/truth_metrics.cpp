@@ -1,19 +1,17 @@
 #include "truth_metrics.hpp"
 
-#include "cloud_truth.hpp"
+#include "truth_alignments.hpp"
 #include "truth_json.hpp"
 #include "workspace_data.hpp"
 
 #include <hybridfusion/evaluation/pose_error.hpp>
-#include <hybridfusion/evaluation/registration_error.hpp>
 #include <hybridfusion/evaluation/trajectory_error.hpp>
 #include <hybridfusion/io/dataset_truth.hpp>
 #include <hybridfusion/io/ply.hpp>
 #include <hybridfusion/io/tum.hpp>
 
-#include <cmath>
-#include <numbers>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -36,7 +34,11 @@ class TruthComparison {
     if (auto step = compare_cameras(); !step) return std::unexpected(step.error());
     if (auto step = compare_trajectory(); !step) return std::unexpected(step.error());
     if (auto step = compare_registration(); !step) return std::unexpected(step.error());
-    if (auto step = compare_clouds(); !step) return std::unexpected(step.error());
+    if (has_truth("mesh.ply") || has_truth("samples.ply")) {
+      if (auto step = compare_clouds(workspace_, truth_, known_, options_, ctx_, metrics_); !step) {
+        return std::unexpected(step.error());
+      }
+    }
     if (metrics_.json.empty()) {
       return fail(ErrorCode::kNotFound,
                   fmt::format("{}: holds no truth for what is in {}; expected dataset.json with "
@@ -58,12 +60,13 @@ class TruthComparison {
       HF_TRY(const DatasetTruth dataset, read_dataset_truth(truth_ / "dataset.json"));
       if (workspace_.has(workspace_file::kOrigin)) {
         HF_TRY(const GeodeticOrigin origin, read_origin(workspace_.path(workspace_file::kOrigin)));
-        truth_from_vision_absolute_ = enu_from_enu(dataset.origin, origin);
+        known_.truth_from_vision_absolute = enu_from_enu(dataset.origin, origin);
       }
       if (workspace_.has(workspace_file::kGnss)) {
         HF_TRY(const MapGeoreference gnss,
                read_map_georeference(workspace_.path(workspace_file::kGnss)));
-        truth_from_map_absolute_ = enu_from_enu(dataset.origin, gnss.origin) * gnss.enu_from_map;
+        known_.truth_from_map_absolute =
+            enu_from_enu(dataset.origin, gnss.origin) * gnss.enu_from_map;
       }
     }
     return {};
@@ -73,7 +76,7 @@ class TruthComparison {
     if (!has_truth("cameras.csv") || !workspace_.has(workspace_file::kImages)) return {};
     HF_TRY(const auto true_poses, read_true_photo_poses(truth_ / "cameras.csv"));
     HF_TRY(const auto poses, read_camera_poses(workspace_.path("vision")));
-    const Rigid3 truth_from_enu = truth_from_vision_absolute_.value_or(Rigid3{});
+    const Rigid3 truth_from_enu = known_.truth_from_vision_absolute.value_or(Rigid3{});
     std::vector<Rigid3> truth;
     std::vector<Rigid3> estimate;
     for (const TruePhotoPose& photo : true_poses) {
@@ -90,8 +93,8 @@ class TruthComparison {
     // The errors were taken in the true origin's plane; the clouds are in the estimated one's.
     const Sim3 shift{.rotation = truth_from_enu.rotation,
                      .translation = truth_from_enu.translation};
-    truth_from_vision_ = errors->truth_from_estimate * shift;
-    truth_from_vision_rigid_ = errors->truth_from_estimate_rigid * truth_from_enu;
+    known_.truth_from_vision = errors->truth_from_estimate * shift;
+    known_.truth_from_vision_rigid = errors->truth_from_estimate_rigid * truth_from_enu;
     metrics_.json["cameras"] = json_of(*errors);
     metrics_.json["cameras"]["num_true_cameras"] = true_poses.size();
     metrics_.summary.push_back(
@@ -116,7 +119,7 @@ class TruthComparison {
       ctx_.warn("trajectory errors are not available: " + errors.error().message);
       return {};
     }
-    truth_from_map_ = errors->truth_from_map;
+    known_.truth_from_map = errors->truth_from_map;
     metrics_.json["trajectory"] = json_of(*errors);
     metrics_.summary.push_back(fmt::format(
         "trajectory: ATE {:.3f} m over {:.0f} m, RPE {:.3f} m per s, {:.3f} m per 50 m; "
@@ -131,13 +134,15 @@ class TruthComparison {
   }
 
   Expected<void> compare_registration() {
-    if (!truth_from_vision_ || !truth_from_map_ || !workspace_.has(workspace_file::kMap)) return {};
+    if (!known_.truth_from_vision || !known_.truth_from_map ||
+        !workspace_.has(workspace_file::kMap))
+      return {};
     HF_TRY(const PointCloud map, read_ply(workspace_.path(workspace_file::kMap)));
     HF_TRY(const ScenePlaces places,
-           true_places({map, trajectory_, true_trajectory_, *truth_from_map_},
+           true_places({map, trajectory_, true_trajectory_, *known_.truth_from_map},
                        options_.drive_radius_m,
                        kMaxScenePoints));
-    HF_TRY(const SceneTruth truth, registration_truth(places, *truth_from_vision_));
+    HF_TRY(const SceneTruth truth, registration_truth(places, *known_.truth_from_vision));
     metrics_.true_vision_from_lidar = truth.vision_from_lidar;
     Json json = {
         {"num_points", truth.num_points},
@@ -146,7 +151,7 @@ class TruthComparison {
         {"true_vision_from_lidar", matrix_json(truth.vision_from_lidar)},
         {"centroid_in_lidar",
          {truth.centroid_in_lidar.x(), truth.centroid_in_lidar.y(), truth.centroid_in_lidar.z()}}};
-    add_georeference_errors(truth);
+    add_georeference_errors(known_, truth, metrics_);
     if (workspace_.has(workspace_file::kRegistration)) {
       HF_TRY(const StoredRegistration registration,
              read_registration(workspace_.path(workspace_file::kRegistration)));
@@ -165,13 +170,13 @@ class TruthComparison {
       metrics_.summary.push_back("registration: refused, " + registration.reason);
       return;
     }
-    fused_from_vision_ = registration.fused_from_vision;
+    known_.fused_from_vision = registration.fused_from_vision;
     json.update(registration_error_json(
         truth.vision_from_lidar, registration.vision_from_lidar, truth.centroid_in_lidar));
     const auto after =
-        registration_truth(places, *truth_from_vision_ * fused_from_vision_->inverse());
+        registration_truth(places, *known_.truth_from_vision * known_.fused_from_vision->inverse());
     if (after) json["scale_error_after"] = after->scale_error;
-    add_fused_georeference(truth);
+    add_fused_georeference(known_, truth, metrics_);
     const RegistrationErrors errors = registration_errors(
         truth.vision_from_lidar, registration.vision_from_lidar, truth.centroid_in_lidar);
     metrics_.summary.push_back(fmt::format(
@@ -186,99 +191,12 @@ class TruthComparison {
         100.0 * (after ? after->scale_error : truth.scale_error)));
   }
 
-  /// The same of the fused cloud, whose vertical may be gravity's.
-  void add_fused_georeference(const SceneTruth& truth) {
-    if (!truth_from_vision_absolute_) return;
-    const Eigen::Vector3d in_vision = truth.vision_from_lidar * truth.centroid_in_lidar;
-    const Eigen::Vector3d error = *truth_from_vision_absolute_ * (*fused_from_vision_ * in_vision) -
-                                  *truth_from_vision_ * in_vision;
-    const Sim3 truth_from_fused = *truth_from_vision_ * fused_from_vision_->inverse();
-    const Eigen::Vector3d up = truth_from_fused.rotation.conjugate() *
-                               truth_from_vision_absolute_->rotation * Eigen::Vector3d::UnitZ();
-    const double tilt_deg = 180.0 / std::numbers::pi * std::atan2(up.head<2>().norm(), up.z());
-    metrics_.json["georeference"]["fused"] = {{"horizontal_m", error.head<2>().norm()},
-                                              {"vertical_m", error.z()},
-                                              {"tilt_deg", tilt_deg}};
-    metrics_.summary.push_back(
-        fmt::format("fused cloud: {:.2f} m horizontal and {:+.2f} m vertical from its true place, "
-                    "tilted by {:.3f} deg",
-                    error.head<2>().norm(),
-                    error.z(),
-                    tilt_deg));
-  }
-
-  /// Where the georeference puts the centre of the scene, against where it is.
-  void add_georeference_errors(const SceneTruth& truth) {
-    const auto add = [&](std::string_view name, const Eigen::Vector3d& error) {
-      metrics_.json["georeference"][std::string(name)] = {{"horizontal_m", error.head<2>().norm()},
-                                                          {"vertical_m", error.z()}};
-    };
-    const Eigen::Vector3d at_vision = truth.vision_from_lidar * truth.centroid_in_lidar;
-    if (truth_from_vision_absolute_) {
-      add("vision", *truth_from_vision_absolute_ * at_vision - *truth_from_vision_ * at_vision);
-    }
-    if (truth_from_map_absolute_) {
-      add("lidar",
-          *truth_from_map_absolute_ * truth.centroid_in_lidar -
-              *truth_from_map_ * truth.centroid_in_lidar);
-    }
-  }
-
-  Expected<void> compare_clouds() {
-    if (!has_truth("mesh.ply") && !has_truth("samples.ply")) return {};
-    HF_TRY(const CloudTruth truth, load_cloud_truth(truth_));
-    const auto sim = [](const Rigid3& rigid) {
-      return Sim3{.rotation = rigid.rotation, .translation = rigid.translation};
-    };
-    const auto compare = [&](std::string_view name,
-                             std::string_view file,
-                             SampleView view,
-                             const std::vector<CloudAlignment>& alignments) -> Expected<void> {
-      if (!workspace_.has(file) || alignments.empty()) return {};
-      HF_TRY(const PointCloud cloud, read_ply(workspace_.path(file)));
-      HF_TRY(Json json, cloud_truth_json(cloud, truth, view, alignments, options_, ctx_));
-      metrics_.summary.push_back(cloud_truth_line(name, json));
-      metrics_.json["clouds"][std::string(name)] = std::move(json);
-      return {};
-    };
-    std::vector<CloudAlignment> vision;
-    std::vector<CloudAlignment> fused;
-    const Sim3 vision_from_fused = fused_from_vision_.value_or(Sim3{}).inverse();
-    const auto add = [&](std::string_view name, const Sim3& truth_from_vision) {
-      vision.push_back({name, truth_from_vision});
-      fused.push_back({name, truth_from_vision * vision_from_fused});
-    };
-    if (truth_from_vision_) add("similarity", *truth_from_vision_);
-    if (truth_from_vision_rigid_) {
-      vision.push_back({"rigid", sim(*truth_from_vision_rigid_)});
-    }
-    if (truth_from_vision_absolute_) {
-      vision.push_back({"absolute", sim(*truth_from_vision_absolute_)});
-      fused.push_back({"absolute", sim(*truth_from_vision_absolute_)});
-    }
-    std::vector<CloudAlignment> lidar;
-    if (truth_from_map_) lidar.push_back({"rigid", sim(*truth_from_map_)});
-    if (truth_from_map_absolute_) lidar.push_back({"absolute", sim(*truth_from_map_absolute_)});
-    if (auto step = compare("vision", workspace_file::kDense, SampleView::kDrone, vision); !step) {
-      return step;
-    }
-    if (auto step = compare("lidar", workspace_file::kMap, SampleView::kVehicle, lidar); !step) {
-      return step;
-    }
-    return compare("fused", workspace_file::kFusedPly, SampleView::kEither, fused);
-  }
-
   const Workspace& workspace_;
   std::filesystem::path truth_;
   const EvaluationOptions& options_;
   const RunContext& ctx_;
   TruthMetrics metrics_ = {};
-  std::optional<Rigid3> truth_from_vision_absolute_ = {};
-  std::optional<Rigid3> truth_from_map_absolute_ = {};
-  std::optional<Sim3> truth_from_vision_ = {};
-  std::optional<Rigid3> truth_from_vision_rigid_ = {};
-  std::optional<Rigid3> truth_from_map_ = {};
-  std::optional<Sim3> fused_from_vision_ = {};
+  TruthAlignments known_ = {};
   Trajectory true_trajectory_ = {};
   Trajectory trajectory_ = {};
 };

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -42,6 +43,22 @@ PointCloud leveled_cloud(const PointCloud& lidar,
   return kept;
 }
 
+/// @returns kInsufficient for inconsistent channels or too few finite points.
+Expected<void> check_usable(const PointCloud& cloud, std::string_view name) {
+  if (const auto valid = validate(cloud); !valid) {
+    return std::unexpected(Error(valid.error()).with_context(fmt::format("{} cloud", name)));
+  }
+  const auto finite = static_cast<std::size_t>(
+      std::ranges::count_if(cloud.points, [](const Eigen::Vector3f& p) { return p.allFinite(); }));
+  if (finite < kMinPoints) {
+    return fail(
+        ErrorCode::kInsufficient,
+        fmt::format(
+            "the {} cloud has {} finite points, at least {} are needed", name, finite, kMinPoints));
+  }
+  return {};
+}
+
 /// Largest raster at OutlineOptions::refine_cell_m: 7.5 km2 at 0.5 m, about 0.6 GB.
 constexpr double kMaxCells = 3e7;
 
@@ -75,21 +92,6 @@ Expected<GroundModel> ground_of(std::span<const Eigen::Vector3f> points,
 }
 
 }  // namespace
-
-Expected<void> check_usable(const PointCloud& cloud, std::string_view name) {
-  if (const auto valid = validate(cloud); !valid) {
-    return std::unexpected(Error(valid.error()).with_context(fmt::format("{} cloud", name)));
-  }
-  const auto finite = static_cast<std::size_t>(
-      std::ranges::count_if(cloud.points, [](const Eigen::Vector3f& p) { return p.allFinite(); }));
-  if (finite < kMinPoints) {
-    return fail(
-        ErrorCode::kInsufficient,
-        fmt::format(
-            "the {} cloud has {} finite points, at least {} are needed", name, finite, kMinPoints));
-  }
-  return {};
-}
 
 std::vector<Eigen::Vector3f> reachable_vision(const PointCloud& vision,
                                               const PreparedClouds& clouds,
@@ -170,15 +172,23 @@ Expected<void> prepare_vision(std::vector<Eigen::Vector3f> points,
   return {};
 }
 
+Expected<PreparedClouds> prepare_lidar_of_pair(const PointCloud& vision,
+                                               const PointCloud& lidar,
+                                               const RegistrationInput& input,
+                                               const RegistrationOptions& options,
+                                               const RunContext& ctx) {
+  if (const auto usable = check_usable(vision, "vision"); !usable) {
+    return std::unexpected(usable.error());
+  }
+  return prepare_lidar(lidar, input, options, ctx);
+}
+
 Expected<PreparedClouds> prepare_clouds(const PointCloud& vision,
                                         const PointCloud& lidar,
                                         const RegistrationInput& input,
                                         const RegistrationOptions& options,
                                         const RunContext& ctx) {
-  if (const auto usable = check_usable(vision, "vision"); !usable) {
-    return std::unexpected(usable.error());
-  }
-  HF_TRY(PreparedClouds clouds, prepare_lidar(lidar, input, options, ctx));
+  HF_TRY(PreparedClouds clouds, prepare_lidar_of_pair(vision, lidar, input, options, ctx));
   auto within_reach = reachable_vision(vision, clouds, input, options.max_offset_m);
   if (auto prepared = prepare_vision(std::move(within_reach), options, ctx, clouds); !prepared) {
     return std::unexpected(prepared.error());

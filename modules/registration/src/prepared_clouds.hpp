@@ -4,7 +4,6 @@
 
 #include <hybridfusion/registration/register_cross_source.hpp>
 
-#include <string_view>
 #include <vector>
 
 namespace hybridfusion {
@@ -48,8 +47,13 @@ struct PreparedClouds {
                                                             const RegistrationInput& input,
                                                             double max_offset_m);
 
-/// @returns kInsufficient for inconsistent channels or fewer than 1000 finite points.
-[[nodiscard]] Expected<void> check_usable(const PointCloud& cloud, std::string_view name);
+/// The LiDAR half, once the vision cloud too is known to be usable: consistent channels and at
+/// least 1000 finite points.
+[[nodiscard]] Expected<PreparedClouds> prepare_lidar_of_pair(const PointCloud& vision,
+                                                             const PointCloud& lidar,
+                                                             const RegistrationInput& input,
+                                                             const RegistrationOptions& options,
+                                                             const RunContext& ctx);
 
 /// Both halves, of the vision points within reach. Errors as of these.
 [[nodiscard]] Expected<PreparedClouds> prepare_clouds(const PointCloud& vision,

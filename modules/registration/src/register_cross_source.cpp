@@ -19,10 +19,7 @@ Expected<RegistrationResult> run_hybrid(const PointCloud& vision,
                                         const RegistrationInput& input,
                                         const RegistrationOptions& options,
                                         const RunContext& ctx) {
-  if (const auto usable = check_usable(vision, "vision"); !usable) {
-    return std::unexpected(usable.error());
-  }
-  HF_TRY(PreparedClouds clouds, prepare_lidar(lidar, input, options, ctx));
+  HF_TRY(PreparedClouds clouds, prepare_lidar_of_pair(vision, lidar, input, options, ctx));
   std::vector<Eigen::Vector3f> kept;
   std::span<const Eigen::Vector3f> within_reach = vision.points;
   if (input.vision_from_lidar_initial) {

@@ -148,7 +148,28 @@ TEST(RegisterByPatches, TheImprovedVariantMakesMorePatchesAgree) {
   EXPECT_GT(improved->patches.size(), 2 * published->patches.size());  // four grids
   EXPECT_GT(improved->num_cluster_members, published->num_cluster_members);
   EXPECT_LT(improved->vision_from_lidar.translation.norm(), 0.5);
-  for (const PatchMatch& match : improved->patches) EXPECT_LE(match.num_similar, 5U);
+}
+
+TEST(RegisterByPatches, CandidatesByRankAreNoMoreThanAskedFor) {
+  const test::Scene scene = small_block(3);
+  const Prepared vision(scene.vision);
+  const Prepared lidar(scene.lidar);
+  PaperOptions options{.variant = "improved", .esf_samples = 5000};
+  options.improved = {.half_step_patches = false,
+                      .describe_spliced = true,
+                      .describe_above_m = 2.0,
+                      .best_candidates = 2,
+                      .min_overlap = 0.0};
+  const auto ranked =
+      register_by_patches(vision.view(), lidar.view(), small_offset(), options, {}, {});
+  ASSERT_TRUE(ranked) << ranked.error().message;
+  EXPECT_GT(ranked->num_poses, 0U);
+  std::size_t limited = 0;
+  for (const PatchMatch& match : ranked->patches) {
+    EXPECT_LE(match.num_similar, 2U);
+    limited += match.num_candidates > match.num_similar ? 1 : 0;
+  }
+  EXPECT_GT(limited, 0U);
 }
 
 TEST(RegisterByPatches, GivesTheSameBytesAtAnyThreadCount) {

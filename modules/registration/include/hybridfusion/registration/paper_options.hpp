@@ -9,12 +9,13 @@
 namespace hybridfusion {
 
 /// Changes to the published chain that stay inside its structure; they act with
-/// PaperOptions::variant "improved" only.
+/// PaperOptions::variant "improved" only. On are those that help alone
+/// (docs/reference/registration-benchmark.md).
 struct PaperImprovements {
   bool half_step_patches = true;
-  bool describe_spliced = true;
-  double describe_above_m = 2.0;
-  int best_candidates = 5;
+  bool describe_spliced = false;
+  double describe_above_m = 0.0;
+  int best_candidates = 0;
   double min_overlap = 0.5;
 };
 
@@ -50,8 +51,8 @@ struct OptionFields<PaperImprovements> {
              .unit = "1",
              .min = 0.0,
              .max = 1.0,
-             .doc = "Share of a patch's high points that must lie within 0.5 m of the candidate "
-                    "for its pose to count.",
+             .doc = "Share of a patch's points above ground (higher than describe_above_m) that "
+                    "must lie within 0.5 m of the candidate for its pose to count.",
              .source = "ours"}},
   };
 };

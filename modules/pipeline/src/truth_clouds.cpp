@@ -1,0 +1,61 @@
+#include "cloud_truth.hpp"
+#include "truth_alignments.hpp"
+
+#include <hybridfusion/io/ply.hpp>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hybridfusion {
+
+Expected<void> compare_clouds(const Workspace& workspace,
+                              const std::filesystem::path& truth_folder,
+                              const TruthAlignments& known,
+                              const EvaluationOptions& options,
+                              const RunContext& ctx,
+                              TruthMetrics& metrics) {
+  HF_TRY(const CloudTruth truth, load_cloud_truth(truth_folder));
+  const auto sim = [](const Rigid3& rigid) {
+    return Sim3{.rotation = rigid.rotation, .translation = rigid.translation};
+  };
+  const auto compare = [&](std::string_view name,
+                           std::string_view file,
+                           SampleView view,
+                           const std::vector<CloudAlignment>& alignments) -> Expected<void> {
+    if (!workspace.has(file) || alignments.empty()) return {};
+    HF_TRY(const PointCloud cloud, read_ply(workspace.path(file)));
+    HF_TRY(Json json, cloud_truth_json(cloud, truth, view, alignments, options, ctx));
+    metrics.summary.push_back(cloud_truth_line(name, json));
+    metrics.json["clouds"][std::string(name)] = std::move(json);
+    return {};
+  };
+  std::vector<CloudAlignment> vision;
+  std::vector<CloudAlignment> fused;
+  const Sim3 vision_from_fused = known.fused_from_vision.value_or(Sim3{}).inverse();
+  const auto add = [&](std::string_view name, const Sim3& truth_from_vision) {
+    vision.push_back({name, truth_from_vision});
+    fused.push_back({name, truth_from_vision * vision_from_fused});
+  };
+  if (known.truth_from_vision) add("similarity", *known.truth_from_vision);
+  if (known.truth_from_vision_rigid) {
+    vision.push_back({"rigid", sim(*known.truth_from_vision_rigid)});
+  }
+  if (known.truth_from_vision_absolute) {
+    vision.push_back({"absolute", sim(*known.truth_from_vision_absolute)});
+    fused.push_back({"absolute", sim(*known.truth_from_vision_absolute)});
+  }
+  std::vector<CloudAlignment> lidar;
+  if (known.truth_from_map) lidar.push_back({"rigid", sim(*known.truth_from_map)});
+  if (known.truth_from_map_absolute)
+    lidar.push_back({"absolute", sim(*known.truth_from_map_absolute)});
+  if (auto step = compare("vision", workspace_file::kDense, SampleView::kDrone, vision); !step) {
+    return step;
+  }
+  if (auto step = compare("lidar", workspace_file::kMap, SampleView::kVehicle, lidar); !step) {
+    return step;
+  }
+  return compare("fused", workspace_file::kFusedPly, SampleView::kEither, fused);
+}
+
+}  // namespace hybridfusion
