@@ -9,6 +9,11 @@ complain() {
   failed=1
 }
 
+# Reads to the end, unlike grep -q: the writer of a pipe must not meet a closed one.
+has() {
+  grep "$@" >/dev/null
+}
+
 # shellcheck disable=SC1091  # made by the build
 source "$dir/completion.bash"
 completed() { # words of a command line, the last one to be completed
@@ -22,23 +27,23 @@ completed() { # words of a command line, the last one to be completed
 mapfile -t commands < <("$program" completion commands)
 [ "${#commands[@]}" -ge 10 ] || complain "only ${#commands[@]} commands"
 for command in "${commands[@]}"; do
-  completed hybridfusion "${command:0:3}" | grep -qx "$command" || complain "bash does not complete '$command'"
+  completed hybridfusion "${command:0:3}" | has -x "$command" || complain "bash does not complete '$command'"
   grep -q "^    $command) _arguments " "$dir/completion.zsh" || complain "zsh does not know '$command'"
   page=$dir/man1/hybridfusion-$command.1.gz
   if [ -d "$dir/man1" ] && [ -e "$dir/man1/hybridfusion.1.gz" ]; then
     zgrep -q "^hybridfusion-$command \\\\- ." "$page" || complain "no manual page of '$command'"
   fi
   for option in $("$program" "$command" --help | grep -oE '^  (-h,)?--[a-z-]+' | grep -oE -- '--[a-z-]+'); do
-    completed hybridfusion "$command" "$option" | grep -qx -- "$option" || complain "bash: $command $option"
+    completed hybridfusion "$command" "$option" | has -x -- "$option" || complain "bash: $command $option"
     grep -q -- "'$option\[" "$dir/completion.zsh" || complain "zsh: $command $option"
     if [ -e "$page" ]; then
-      zcat "$page" | sed 's/\\-/-/g' | grep -q -- "$option" || complain "manual: $command $option"
+      zcat "$page" | sed 's/\\-/-/g' | has -- "$option" || complain "manual: $command $option"
     fi
   done
 done
-completed hybridfusion register --method pa | grep -qx paper || complain "bash does not complete a value"
-completed hybridfusion simulate --preset '' | grep -qx city || complain "bash does not list the values"
+completed hybridfusion register --method pa | has -x paper || complain "bash does not complete a value"
+completed hybridfusion simulate --preset '' | has -x city || complain "bash does not list the values"
 cd "$dir"
-completed hybridfusion map --bag completion.z | grep -qx completion.zsh || complain "bash does not complete a file"
+completed hybridfusion map --bag completion.z | has -x completion.zsh || complain "bash does not complete a file"
 if command -v zsh >/dev/null; then zsh -n completion.zsh || complain "zsh: not valid"; fi
 exit "$failed"
