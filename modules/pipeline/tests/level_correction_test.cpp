@@ -8,6 +8,7 @@
 #include <string>
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 namespace hybridfusion {
 namespace {
@@ -85,7 +86,8 @@ TEST(LevelCorrection, NeedsToKnowBothVerticals) {
 class LevelEvidenceFiles : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = std::filesystem::path(testing::TempDir()) / "level_evidence";
+    folder_ =
+        std::filesystem::path(testing::TempDir()) / ("level_evidence_" + std::to_string(getpid()));
     std::filesystem::remove_all(folder_);
     std::filesystem::create_directories(folder_);
     write("cameras.txt", "1 PINHOLE 100 80 90 90 50 40\n");

@@ -13,6 +13,7 @@
 #include <string>
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 namespace hybridfusion {
 namespace {
@@ -23,7 +24,8 @@ constexpr double kDegree = std::numbers::pi / 180.0;
 class LeaningPhotos : public testing::Test {
  protected:
   void SetUp() override {
-    root_ = std::filesystem::path(testing::TempDir()) / "leaning_photos";
+    root_ =
+        std::filesystem::path(testing::TempDir()) / ("leaning_photos_" + std::to_string(getpid()));
     std::filesystem::remove_all(root_);
     std::filesystem::create_directories(root_ / "vision");
     std::filesystem::create_directories(root_ / "lidar");

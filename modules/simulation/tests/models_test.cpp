@@ -14,6 +14,7 @@
 #include <filesystem>
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 namespace hybridfusion {
 namespace {
@@ -132,7 +133,7 @@ class BagWriterFormats : public testing::TestWithParam<const char*> {};
 
 TEST_P(BagWriterFormats, ReaderGetsEveryMessageBack) {
   const auto path = std::filesystem::path(testing::TempDir()) /
-                    (std::string("simulation_") + GetParam() + ".bag");
+                    (std::string("simulation_") + GetParam() + std::to_string(getpid()) + ".bag");
   auto bag = BagWriter::create(path, GetParam());
   ASSERT_TRUE(bag);
   const std::uint32_t first = bag->add_connection("/imu/data", kImuMessage);

@@ -1,5 +1,7 @@
 #include "depth_consistency.hpp"
 
+#include "footprint.hpp"
+
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -56,13 +58,21 @@ float grey_at(const DepthMap& map, float u, float v) {
          t * ((1 - s) * static_cast<float>(bottom[0]) + s * static_cast<float>(bottom[1]));
 }
 
+bool tile_is_seen(const DepthTile& tile, const OtherView& other) {
+  if (!tile.corners) return false;
+  std::array<Eigen::Vector3f, 8> corners = *tile.corners;
+  for (Eigen::Vector3f& p : corners) p = other.rotation * p + other.translation;
+  return may_see(other.map->grid, corners);
+}
+
 /// The rows of a band, and two above and below, as another photo shows them.
 class Band {
  public:
   Band(const DepthMap& reference, const DepthCheckOptions& options)
       : reference_(reference), options_(options) {}
 
-  void look(const OtherView& other, int first_row, int end_row);
+  /// @param tiles  Of these rows.
+  void look(const OtherView& other, std::span<const DepthTile> tiles, int first_row, int end_row);
   [[nodiscard]] const Seen& at(int x, int y) const { return seen_.at(x, y - first_row_); }
   [[nodiscard]] const OtherView& other() const { return *other_; }
   [[nodiscard]] std::optional<float> correlation(int x, int y) const;
@@ -77,15 +87,22 @@ class Band {
   ImagePlane<Seen> seen_;
 };
 
-void Band::look(const OtherView& other, int first_row, int end_row) {
+void Band::look(const OtherView& other,
+                std::span<const DepthTile> tiles,
+                int first_row,
+                int end_row) {
   other_ = &other;
   first_row_ = first_row;
   const int width = reference_.grid.width_px;
   if (seen_.width != width || seen_.height < end_row - first_row) {
     seen_ = {width, end_row - first_row};
   }
-  for (int y = first_row; y < end_row; ++y) {
-    for (int x = 0; x < width; ++x) seen_.at(x, y - first_row) = look_at(x, y);
+  for (const DepthTile& tile : tiles) {
+    const bool sees = tile_is_seen(tile, other);
+    for (int y = first_row; y < end_row; ++y) {
+      Seen* row = seen_.row(y - first_row);
+      for (int x = tile.begin_x; x < tile.end_x; ++x) row[x] = sees ? look_at(x, y) : Seen{};
+    }
   }
 }
 
@@ -223,8 +240,11 @@ CheckedDepth check_depths(const DepthMap& reference,
   std::vector<DepthGuess> supporting;
   for (int begin = 0; begin < height; begin += kBandRows) {
     const int end = std::min(height, begin + kBandRows);
+    const int first_row = std::max(0, begin - kPatch);
+    const int end_row = std::min(height, end + kPatch);
+    const std::vector<DepthTile> tiles = tiles_of_rows(reference, first_row, end_row);
     for (std::size_t i = 0; i < others.size(); ++i) {
-      bands[i].look(others[i], std::max(0, begin - kPatch), std::min(height, end + kPatch));
+      bands[i].look(others[i], tiles, first_row, end_row);
     }
     for (int y = begin; y < end; ++y) {
       for (int x = 0; x < width; ++x) {
