@@ -47,8 +47,9 @@ Expected<void> compare_clouds(const Workspace& workspace,
   }
   std::vector<CloudAlignment> lidar;
   if (known.truth_from_map) lidar.push_back({"rigid", sim(*known.truth_from_map)});
-  if (known.truth_from_map_absolute)
+  if (known.truth_from_map_absolute) {
     lidar.push_back({"absolute", sim(*known.truth_from_map_absolute)});
+  }
   if (auto step = compare("vision", workspace_file::kDense, SampleView::kDrone, vision); !step) {
     return step;
   }

@@ -135,8 +135,9 @@ class TruthComparison {
 
   Expected<void> compare_registration() {
     if (!known_.truth_from_vision || !known_.truth_from_map ||
-        !workspace_.has(workspace_file::kMap))
+        !workspace_.has(workspace_file::kMap)) {
       return {};
+    }
     HF_TRY(const PointCloud map, read_ply(workspace_.path(workspace_file::kMap)));
     HF_TRY(const ScenePlaces places,
            true_places({map, trajectory_, true_trajectory_, *known_.truth_from_map},
