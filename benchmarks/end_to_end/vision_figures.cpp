@@ -156,9 +156,10 @@ class CheckPoints {
       const Eigen::Vector3d p = camera_from_enu * point.point_in_enu;
       if (!(p.z() > 0.0)) continue;
       ++count_;
-      const auto depth = depth_at(map, pixel_of(map.grid, p));
-      if (!depth) continue;
-      const double error = std::abs(*depth - p.z());
+      const Eigen::Vector2f pixel = pixel_of(map.grid, p).cast<float>();
+      const double depth = depth_at(map, pixel.x(), pixel.y());
+      if (std::isnan(depth)) continue;
+      const double error = std::abs(depth - p.z());
       if (error < 0.01 * p.z()) ++within_;
       errors_gsd_.push_back(error * map.grid.focal_px / p.z());
     }

@@ -1,6 +1,7 @@
 #include "dense_map.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <unordered_map>
 
 namespace hybridfusion {
@@ -28,7 +29,8 @@ DenseMap::DenseMap(const DenseMapOptions& options) : options_(options), slots_(1
 
 std::size_t DenseMap::slot_of(std::uint64_t key) const {
   const std::size_t mask = slots_.size() - 1;
-  std::size_t at = static_cast<std::size_t>((key * 0x9E3779B97F4A7C15ULL) >> 24U) & mask;
+  // Fibonacci hashing: the highest bits of the product depend on all of the key.
+  std::size_t at = (key * 0x9E3779B97F4A7C15ULL) >> static_cast<unsigned>(std::countl_zero(mask));
   while (slots_[at] != kNone && voxels_[slots_[at]].key != key) at = (at + 1) & mask;
   return at;
 }

@@ -146,6 +146,21 @@ TEST(Rectification, ReducedIntrinsicsKeepThePixelGrid) {
   EXPECT_EQ(scaled(camera, 200, 150).principal_point_px, Eigen::Vector2d(0.0, 0.0));
 }
 
+// 20 rows at 2/3 are 13.3: a whole number of them must not squeeze the photo.
+TEST(Rectification, AReducedPhotoKeepsItsShapeWhereItsRowsDoNotDivide) {
+  const CameraIntrinsics camera = testing::small_camera(300, 20);
+  Image8 photo{.width = 300, .height = 20, .channels = 1};
+  for (int y = 0; y < photo.height; ++y) {
+    photo.pixels.insert(photo.pixels.end(), 300, static_cast<std::uint8_t>(12 * y));
+  }
+  const WorkImage work = reduce(photo, camera, 200);
+  EXPECT_DOUBLE_EQ(work.intrinsics.focal_px, camera.focal_px * 2.0 / 3.0);
+  for (int y = 0; y < 13; ++y) {
+    const double row = (y + 0.5) * camera.focal_px / work.intrinsics.focal_px - 0.5;
+    EXPECT_NEAR(work.grey.at<std::uint8_t>(y, 100), 12.0 * row, 1.5) << y;
+  }
+}
+
 TEST(Rectification, RefusesOneCentreForwardMotionAndPhotosThatShareNothing) {
   const PosedCamera down{testing::small_camera(), testing::looking({0, 0, 50}, kDown, 0.0)};
   const RectificationRequest request{.focal_px = 250.0, .near_m = 40.0, .far_m = 60.0};

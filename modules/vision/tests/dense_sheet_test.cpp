@@ -79,6 +79,33 @@ TEST(OneSheet, ASpeckInTheAirIsLeftOut) {
   EXPECT_TRUE(std::ranges::all_of(sheet.points, [](const auto& p) { return p.z() < 1.0F; }));
 }
 
+/// A floor of 100 depths a point, above whose middle, 1 m wide, lie points of `num_depths`.
+std::size_t points_above_a_floor(float num_depths, float height_m) {
+  PointCloud room = noisy_room(false);
+  std::ranges::fill(room.confidences, 100.0F);
+  const std::size_t size = room.size();
+  for (std::size_t i = 0; i < size; ++i) {
+    const Eigen::Vector3f p = room.points[i];
+    if (std::abs(p.x() - 2.0F) > 0.5F || std::abs(p.y() - 2.0F) > 0.5F) continue;
+    room.points.emplace_back(p.x() + 0.05F, p.y() + 0.05F, height_m);
+    room.normals.push_back(room.normals[i]);
+    room.colors.push_back(room.colors[i]);
+    room.sigmas_m.push_back(kNoise_m);
+    room.confidences.push_back(num_depths);
+  }
+  const PointCloud sheet = one_sheet(room, {});
+  return static_cast<std::size_t>(
+      std::ranges::count_if(sheet.points, [&](const auto& p) { return p.z() > 0.5F * height_m; }));
+}
+
+TEST(OneSheet, FewDepthsBesideASheetOfManyAreLeftOut) {
+  EXPECT_EQ(points_above_a_floor(3.0F, 0.15F), 0U);
+}
+
+TEST(OneSheet, AStepSeenAsOftenAsTheFloorStays) {
+  EXPECT_GT(points_above_a_floor(60.0F, 0.15F), 90U);
+}
+
 TEST(OneSheet, TwoPointsStayAsTheyAre) {
   PointCloud two = noisy_room(false);
   two = select(two, std::vector<std::size_t>{0, 1});

@@ -2,7 +2,6 @@
 
 #include <hybridfusion/core/parallel.hpp>
 #include <hybridfusion/geometry/kd_tree.hpp>
-#include <hybridfusion/geometry/normals.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -13,18 +12,72 @@
 namespace hybridfusion {
 namespace {
 
-constexpr std::size_t kNeighbors = 16;
+constexpr std::size_t kNeighbors = 24;
 constexpr double kMaxCurvature = 0.03;  // smallest eigenvalue over the sum: an edge of 20 degrees
 // From errors against true surfaces: depths that photos share err less together than each alone,
 // and a point errs a little more than its neighbours scatter, whose errors are alike.
 constexpr double kOwnShare = 0.45;
 constexpr double kScatterShare = 1.3;
+// A point beside a sheet that holds this many times more depths a point, and farther from it than
+// its points scatter, is an error of few photos.
+constexpr double kFewDepths = 0.2;
+constexpr double kMaxScatters = 3.0;
 
 struct SheetPoint {
   Eigen::Vector3f point = Eigen::Vector3f::Zero();
   float sigma_m = 0.0F;
   float distance_m = 0.0F;  ///< Sum over the neighbours.
+  bool is_beside = false;   ///< Few depths beside a sheet of many.
 };
+
+/// Plane through the depths that the neighbours hold.
+struct Sheet {
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+  double scatter_m = 0.0;  ///< Of the depths about the plane.
+  double curvature = 1.0;
+  double num_depths = 0.0;  ///< A point, as most depths see it.
+};
+
+double num_depths_of(const PointCloud& cloud, std::size_t i) {
+  return cloud.confidences.empty() ? 1.0 : static_cast<double>(cloud.confidences[i]);
+}
+
+/// Neighbours that hold few depths beside the others do not count.
+Sheet sheet_of(const PointCloud& cloud, const std::vector<Neighbor>& neighbors) {
+  Sheet sheet;
+  double sum = 0.0;
+  for (const Neighbor& n : neighbors) {
+    const double w = num_depths_of(cloud, n.index);
+    sum += w;
+    sheet.num_depths += w * w;
+  }
+  if (!(sum > 0.0)) return sheet;
+  sheet.num_depths /= sum;
+  const auto weight_of = [&](const Neighbor& n) {
+    const double w = num_depths_of(cloud, n.index);
+    return w < kFewDepths * sheet.num_depths ? 0.0 : w;
+  };
+  sum = 0.0;
+  for (const Neighbor& n : neighbors) {
+    sum += weight_of(n);
+    sheet.mean += weight_of(n) * cloud.points[n.index].cast<double>();
+  }
+  sheet.mean /= sum;
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  for (const Neighbor& n : neighbors) {
+    const Eigen::Vector3d d = cloud.points[n.index].cast<double>() - sheet.mean;
+    covariance += weight_of(n) / sum * d * d.transpose();
+  }
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+  solver.computeDirect(covariance);
+  const Eigen::Vector3d values = solver.eigenvalues().cwiseMax(0.0);
+  if (!(values.sum() > 0.0)) return sheet;
+  sheet.normal = solver.eigenvectors().col(0);
+  sheet.scatter_m = std::sqrt(values[0]);
+  sheet.curvature = values[0] / values.sum();
+  return sheet;
+}
 
 /// The point on its sheet; `normal` holds the direction to the photos and receives the normal.
 SheetPoint on_sheet(const PointCloud& cloud,
@@ -34,24 +87,22 @@ SheetPoint on_sheet(const PointCloud& cloud,
   SheetPoint result{.point = cloud.points[index], .sigma_m = cloud.sigmas_m[index]};
   for (const Neighbor& n : neighbors) result.distance_m += std::sqrt(n.squared_distance_m2);
   if (neighbors.size() < 3) return result;
-  Eigen::Vector3d mean;
-  const Eigen::Matrix3d covariance = covariance_of(cloud.points, neighbors, mean);
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-  solver.computeDirect(covariance);
-  const Eigen::Vector3d values = solver.eigenvalues().cwiseMax(0.0);
-  if (!(values.sum() > 0.0)) return result;
-  Eigen::Vector3d up = solver.eigenvectors().col(0);
-  if (up.dot(normal.cast<double>()) < 0.0) up = -up;
+  const Sheet sheet = sheet_of(cloud, neighbors);
+  if (sheet.normal.isZero()) return result;
+  const Eigen::Vector3d up =
+      sheet.normal.dot(normal.cast<double>()) < 0.0 ? Eigen::Vector3d(-sheet.normal) : sheet.normal;
   normal = up.cast<float>();
-  result.sigma_m = static_cast<float>(
-      std::hypot(kOwnShare * result.sigma_m, kScatterShare * std::sqrt(values[0])));
-  if (values[0] > kMaxCurvature * values.sum()) return result;
+  result.sigma_m =
+      static_cast<float>(std::hypot(kOwnShare * result.sigma_m, kScatterShare * sheet.scatter_m));
+  if (sheet.curvature > kMaxCurvature) return result;
   const Eigen::Vector3d at = cloud.points[index].cast<double>();
+  result.is_beside = num_depths_of(cloud, index) < kFewDepths * sheet.num_depths &&
+                     std::abs(up.dot(at - sheet.mean)) > kMaxScatters * sheet.scatter_m;
   double weights = 0.0;
   double height = 0.0;
   for (const Neighbor& n : neighbors) {
-    const double weight =
-        1.0 / (static_cast<double>(cloud.sigmas_m[n.index]) * cloud.sigmas_m[n.index]);
+    const double sigma_m = cloud.sigmas_m[n.index];
+    const double weight = num_depths_of(cloud, n.index) / (sigma_m * sigma_m);
     weights += weight;
     height += weight * up.dot(cloud.points[n.index].cast<double>() - at);
   }
@@ -72,7 +123,9 @@ std::vector<std::size_t> without_specks(const std::vector<SheetPoint>& points) {
   const double deviation = std::sqrt(std::max(0.0, squares / count - mean * mean));
   std::vector<std::size_t> kept;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (points[i].distance_m <= mean + kMaxSigmas * deviation) kept.push_back(i);
+    if (!points[i].is_beside && points[i].distance_m <= mean + kMaxSigmas * deviation) {
+      kept.push_back(i);
+    }
   }
   return kept;
 }

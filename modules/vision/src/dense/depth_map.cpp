@@ -14,29 +14,6 @@ ImagePlane<std::uint8_t> grey_plane(const ImagePlane<Rgb8>& rgb) {
   return grey;
 }
 
-std::optional<double> depth_at(const DepthMap& map, const Eigen::Vector2d& pixel) {
-  // Neighbouring depths of one surface seldom differ by more.
-  constexpr float kSameSurface = 0.01F;
-  const int x = static_cast<int>(std::floor(pixel.x()));
-  const int y = static_cast<int>(std::floor(pixel.y()));
-  if (x >= 0 && y >= 0 && x + 1 < map.depth_m.width && y + 1 < map.depth_m.height) {
-    const float* top = map.depth_m.row(y) + x;
-    const float* bottom = map.depth_m.row(y + 1) + x;
-    const float low = std::min(std::min(top[0], top[1]), std::min(bottom[0], bottom[1]));
-    const float high = std::max(std::max(top[0], top[1]), std::max(bottom[0], bottom[1]));
-    const bool all_valid = !std::isnan(top[0] + top[1] + bottom[0] + bottom[1]);
-    if (all_valid && high - low < kSameSurface * high) {
-      const double u = pixel.x() - x;
-      const double v = pixel.y() - y;
-      return (1 - v) * ((1 - u) * top[0] + u * top[1]) + v * ((1 - u) * bottom[0] + u * bottom[1]);
-    }
-  }
-  const int nearest_x = static_cast<int>(std::floor(pixel.x() + 0.5));
-  const int nearest_y = static_cast<int>(std::floor(pixel.y() + 0.5));
-  if (!map.has_depth(nearest_x, nearest_y)) return std::nullopt;
-  return map.depth_m.at(nearest_x, nearest_y);
-}
-
 DepthGuess merge_guesses(const std::vector<DepthGuess>& guesses) {
   const auto agree = [](const DepthGuess& a, const DepthGuess& b) {
     const double gap = a.depth_m - b.depth_m;

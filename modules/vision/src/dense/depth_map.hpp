@@ -7,9 +7,10 @@
 #include <hybridfusion/core/rigid3.hpp>
 #include <hybridfusion/vision/rectification.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <optional>
+#include <limits>
 #include <vector>
 
 #include <Eigen/Core>
@@ -42,8 +43,28 @@ struct DepthMap {
 [[nodiscard]] ImagePlane<std::uint8_t> grey_plane(const ImagePlane<Rgb8>& rgb);
 
 /// Depth at a position between pixels: bilinear over four valid depths of one surface, else the
-/// nearest pixel's. Nothing when that has none.
-[[nodiscard]] std::optional<double> depth_at(const DepthMap& map, const Eigen::Vector2d& pixel);
+/// nearest pixel's. NaN when that has none.
+[[nodiscard]] inline float depth_at(const DepthMap& map, float u, float v) {
+  constexpr float kSameSurface = 0.01F;  // neighbouring depths of one surface seldom differ by more
+  const int x = static_cast<int>(std::floor(u));
+  const int y = static_cast<int>(std::floor(v));
+  if (x >= 0 && y >= 0 && x + 1 < map.depth_m.width && y + 1 < map.depth_m.height) {
+    const float* top = map.depth_m.row(y) + x;
+    const float* bottom = map.depth_m.row(y + 1) + x;
+    const float low = std::min(std::min(top[0], top[1]), std::min(bottom[0], bottom[1]));
+    const float high = std::max(std::max(top[0], top[1]), std::max(bottom[0], bottom[1]));
+    const bool all_valid = !std::isnan(top[0] + top[1] + bottom[0] + bottom[1]);
+    if (all_valid && high - low < kSameSurface * high) {
+      const float s = u - static_cast<float>(x);
+      const float t = v - static_cast<float>(y);
+      return (1 - t) * ((1 - s) * top[0] + s * top[1]) + t * ((1 - s) * bottom[0] + s * bottom[1]);
+    }
+  }
+  const int nearest_x = static_cast<int>(std::floor(u + 0.5F));
+  const int nearest_y = static_cast<int>(std::floor(v + 0.5F));
+  return map.depth_m.contains(nearest_x, nearest_y) ? map.depth_m.at(nearest_x, nearest_y)
+                                                    : std::numeric_limits<float>::quiet_NaN();
+}
 
 /// A depth hypothesis and its standard deviation.
 struct DepthGuess {

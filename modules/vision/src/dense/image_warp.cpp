@@ -12,13 +12,13 @@ namespace hybridfusion {
 
 CameraIntrinsics scaled(const CameraIntrinsics& intrinsics, int width_px, int height_px) {
   CameraIntrinsics result = intrinsics;
-  const double x_scale = static_cast<double>(width_px) / intrinsics.width_px;
-  const double y_scale = static_cast<double>(height_px) / intrinsics.height_px;
+  const double scale = static_cast<double>(std::max(width_px, height_px)) /
+                       std::max(intrinsics.width_px, intrinsics.height_px);
   result.width_px = width_px;
   result.height_px = height_px;
-  result.focal_px *= 0.5 * (x_scale + y_scale);
-  result.principal_point_px.x() = (intrinsics.principal_point_px.x() + 0.5) * x_scale - 0.5;
-  result.principal_point_px.y() = (intrinsics.principal_point_px.y() + 0.5) * y_scale - 0.5;
+  result.focal_px *= scale;
+  result.principal_point_px = scale * (intrinsics.principal_point_px + Eigen::Vector2d(0.5, 0.5)) -
+                              Eigen::Vector2d(0.5, 0.5);
   return result;
 }
 
@@ -36,15 +36,14 @@ WorkImage reduce(const Image8& photo, const CameraIntrinsics& intrinsics, int ma
   const double scale =
       std::min(1.0, static_cast<double>(max_size_px) / std::max(photo.width, photo.height));
   WorkImage result;
-  const cv::Size size(static_cast<int>(std::lround(photo.width * scale)),
-                      static_cast<int>(std::lround(photo.height * scale)));
   if (scale < 1.0) {
-    cv::resize(rgb, result.rgb, size, 0.0, 0.0, cv::INTER_AREA);
+    // By the scale, not to a size: the shorter side would be squeezed to a whole number of pixels.
+    cv::resize(rgb, result.rgb, {}, scale, scale, cv::INTER_AREA);
   } else {
     result.rgb = rgb.clone();
   }
   cv::cvtColor(result.rgb, result.grey, cv::COLOR_RGB2GRAY);
-  result.intrinsics = scaled(intrinsics, size.width, size.height);
+  result.intrinsics = scaled(intrinsics, result.rgb.cols, result.rgb.rows);
   return result;
 }
 

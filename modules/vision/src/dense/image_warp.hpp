@@ -22,7 +22,8 @@ struct WorkImage {
                                const CameraIntrinsics& intrinsics,
                                int max_size_px);
 
-/// Camera model of a photo at another resolution; a pixel's centre stays its centre.
+/// Camera model of a photo at another resolution, whose longer side says the scale (the shorter one
+/// is rounded); a pixel's centre stays its centre.
 [[nodiscard]] CameraIntrinsics scaled(const CameraIntrinsics& intrinsics,
                                       int width_px,
                                       int height_px);

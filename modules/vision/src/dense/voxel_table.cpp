@@ -1,14 +1,21 @@
 #include "voxel_table.hpp"
 
 #include <algorithm>
+#include <bit>
 
 namespace hybridfusion {
 
 /// The key's slot or the first free one on its way.
 std::size_t VoxelTable::slot_of(std::uint64_t key) const {
   const std::size_t mask = slots_.size() - 1;
-  // Fibonacci hashing: neighbouring voxels differ in low bits of three fields.
-  auto slot = static_cast<std::size_t>((key * 0x9e3779b97f4a7c15ULL) >> 20U) & mask;
+  // Fibonacci hashing of cubes of 4 x 4 x 4 voxels, whose slots lie together: what a photo shows
+  // next to each other fits the cache. A key's fields are 21 bits wide; only the highest bits of
+  // the product depend on all of them.
+  constexpr std::uint64_t kWithin = (3ULL << 42U) | (3ULL << 21U) | 3ULL;
+  const std::uint64_t product = (key & ~kWithin) * 0x9e3779b97f4a7c15ULL;
+  const std::uint64_t cube = product >> static_cast<unsigned>(std::countl_zero(mask) + 6);
+  const std::uint64_t within = (key >> 42U & 3U) << 4U | (key >> 21U & 3U) << 2U | (key & 3U);
+  auto slot = static_cast<std::size_t>(cube << 6U | within) & mask;
   while (slots_[slot] != kEmpty && entry(slots_[slot]).key != key) slot = (slot + 1) & mask;
   return slot;
 }

@@ -122,6 +122,7 @@ struct DepthCheckOptions {
   double max_disparity_px = 1.5;
   int min_supporting_views = 1;
   double min_correlation = 0.5;
+  int trusted_views = 2;
   double edge_step = 0.02;
   int edge_margin_px = 2;
 };
@@ -160,6 +161,14 @@ struct OptionFields<DepthCheckOptions> {
              .max = 1.0,
              .doc = "Correlation (ZNCC, 5 x 5 pixels) that at least one other photo must reach.",
              .source = "HybridFusion III-A.2 (photometric consistency); value ours"}},
+      Field{&T::trusted_views,
+            {.key = "trusted_views",
+             .unit = "photos",
+             .min = 1,
+             .max = 1000,
+             .doc = "A depth that this many others agree with, and none sees through, needs no "
+                    "correlation: three photos err alike too seldom.",
+             .source = "ours, from errors against true surfaces"}},
       Field{&T::edge_step,
             {.key = "edge_step",
              .unit = "1",
@@ -180,7 +189,7 @@ struct OptionFields<DepthCheckOptions> {
 
 /// Dense reconstruction from posed photos.
 struct DensifyOptions {
-  int max_size_px = 1100;
+  int max_size_px = 1350;
   int num_neighbors = 3;
   double min_angle_deg = 3.0;
   double max_angle_deg = 30.0;
@@ -188,7 +197,7 @@ struct DensifyOptions {
   double voxel_m = 0.0;
   int min_points_per_voxel = 2;
   double max_gsd_ratio = 3.0;
-  int max_memory_mib = 640;
+  int max_memory_mib = 512;
   StereoOptions stereo = {};
   DepthCheckOptions check = {};
 };
