@@ -1,5 +1,7 @@
 #include "place_support.hpp"
 
+#include "fine_statistics.hpp"
+
 #include <hybridfusion/core/parallel.hpp>
 
 #include <algorithm>
@@ -16,6 +18,7 @@ constexpr double kTolerance_m = 0.1;  // right poses keep 2 to 5 cm, wrong ones 
 struct AlignedPlace {
   Rigid3 pose = {};
   double support = 0.0;
+  double supply = 0.0;
 };
 
 Expected<AlignedPlace> align_place(FineInputs& inputs,
@@ -28,10 +31,60 @@ Expected<AlignedPlace> align_place(FineInputs& inputs,
   const auto fine =
       align_fine(inputs, place.vision_from_leveled, clouds.lidar_centroid, rigid, ctx);
   if (!fine && fine.error().code == ErrorCode::kCancelled) return std::unexpected(fine.error());
-  if (!fine) return AlignedPlace{.pose = place.vision_from_leveled};  // no surface in common
-  return AlignedPlace{
-      .pose = fine->vision_from_lidar,
-      .support = facade_support(inputs, clouds, fine->vision_from_lidar, options, ctx)};
+  AlignedPlace aligned{.pose = place.vision_from_leveled};
+  if (fine) {  // else no surface in common
+    aligned.pose = fine->vision_from_lidar;
+    aligned.support = facade_support(inputs, clouds, aligned.pose, options, ctx);
+  }
+  aligned.supply = facade_supply(inputs, clouds, aligned.pose, options, ctx);
+  return aligned;
+}
+
+/// Where the facades among the samples are: their middle, and how far nine tenths of them reach.
+struct Footprint {
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  double radius_m = 0.0;
+};
+
+Footprint footprint_of(const std::vector<FineSample>& samples) {
+  Footprint footprint;
+  std::vector<double> distances;
+  for (const FineSample& sample : samples) {
+    if (!sample.is_vertical) continue;
+    footprint.middle += sample.point;
+    distances.push_back(0.0);
+  }
+  if (distances.empty()) return footprint;
+  footprint.middle /= static_cast<double>(distances.size());
+  std::size_t k = 0;
+  for (const FineSample& sample : samples) {
+    if (!sample.is_vertical) continue;
+    distances[k++] = (sample.point - footprint.middle).head<2>().norm();
+  }
+  footprint.radius_m = quantile(std::move(distances), 0.9);
+  return footprint;
+}
+
+/// The chosen place against the others.
+SurfaceChoice choice_among(const std::vector<AlignedPlace>& places,
+                           const Eigen::Vector3d& centroid,
+                           const VerdictOptions& options) {
+  constexpr double kSame_m = 1.0;
+  constexpr double kSame_rad = 2.0 * std::numbers::pi / 180.0;
+  constexpr double kMinSupply = 0.5;
+  std::size_t most = 0;
+  for (std::size_t k = 1; k < places.size(); ++k) {
+    if (places[k].support > places[most].support) most = k;
+  }
+  if (places[most].support < options.min_facade_support) most = 0;
+  const AlignedPlace& chosen = places[most];
+  SurfaceChoice choice{.place = most, .is_compared = true, .support = chosen.support};
+  for (const AlignedPlace& other : places) {
+    if (are_near(other.pose, chosen.pose, centroid, kSame_m, kSame_rad)) continue;
+    choice.rival_support = std::max(choice.rival_support, other.support);
+    if (other.supply < kMinSupply * chosen.supply) choice.is_compared = false;
+  }
+  return choice;
 }
 
 }  // namespace
@@ -90,39 +143,48 @@ double facade_support(FineInputs& inputs,
   return evidence.facade_inside_share * supported / std::max(1.0, facades);
 }
 
+double facade_supply(FineInputs& inputs,
+                     const PreparedClouds& clouds,
+                     const Rigid3& vision_from_leveled,
+                     const FineOptions& options,
+                     const RunContext& ctx) {
+  constexpr std::size_t kProbes = 4000;
+  constexpr float kMaxRise = 0.3F;  // of a normal, as of the samples
+  const Footprint footprint = footprint_of(inputs.samples);
+  const Eigen::Vector2f middle = (vision_from_leveled * footprint.middle).head<2>().cast<float>();
+  const auto limit = static_cast<float>(footprint.radius_m * footprint.radius_m);
+  std::vector<std::size_t> near;
+  for (std::size_t i = 0; i < clouds.vision.size(); ++i) {
+    if ((clouds.vision[i].head<2>() - middle).squaredNorm() < limit) near.push_back(i);
+  }
+  const std::size_t stride = near.size() / kProbes + 1;
+  std::vector<std::size_t> probes;
+  for (std::size_t k = 0; k < near.size(); k += stride) probes.push_back(near[k]);
+  inputs.planes.prepare(probes, ctx);
+  const auto vertical = std::ranges::count_if(probes, [&](std::size_t i) {
+    const LazyPlanes::Plane& plane = inputs.planes.at(i);
+    return static_cast<double>(plane.curvature) <= options.max_curvature &&
+           std::abs(plane.normal.z()) < kMaxRise;
+  });
+  return static_cast<double>(stride) * static_cast<double>(vertical);
+}
+
 Expected<SurfaceChoice> choose_by_surfaces(FineInputs& inputs,
                                            const PreparedClouds& clouds,
                                            const OutlinePlaces& found,
                                            const RegistrationOptions& options,
                                            const RunContext& ctx) {
-  constexpr double kSame_m = 1.0;
-  constexpr double kSame_rad = 2.0 * std::numbers::pi / 180.0;
-  const VerdictOptions& verdict = options.verdict;
-  const double limit = verdict.doubtful_peak_ratio * found.places.front().score;
+  const double limit = options.verdict.doubtful_peak_ratio * found.places.front().score;
   const auto alike = static_cast<std::size_t>(std::ranges::count_if(
       found.places, [&](const OutlinePlace& place) { return place.score >= limit; }));
-  SurfaceChoice choice;
-  if (alike < 2 || !found.is_vision_whole) return choice;
+  if (alike < 2 || !found.is_vision_whole) return SurfaceChoice{};
   std::vector<AlignedPlace> aligned;
   for (std::size_t k = 0; k < alike; ++k) {
     HF_TRY(const AlignedPlace place,
            align_place(inputs, clouds, found.places[k], options.fine, ctx));
     aligned.push_back(place);
   }
-  std::size_t most = 0;
-  for (std::size_t k = 1; k < alike; ++k) {
-    if (aligned[k].support > aligned[most].support) most = k;
-  }
-  if (aligned[most].support >= verdict.min_facade_support) choice.place = most;
-  choice.is_compared = true;
-  choice.support = aligned[choice.place].support;
-  for (const AlignedPlace& other : aligned) {
-    if (!are_near(
-            other.pose, aligned[choice.place].pose, clouds.lidar_centroid, kSame_m, kSame_rad)) {
-      choice.rival_support = std::max(choice.rival_support, other.support);
-    }
-  }
-  return choice;
+  return choice_among(aligned, clouds.lidar_centroid, options.verdict);
 }
 
 }  // namespace hybridfusion

@@ -2,6 +2,7 @@
 
 #include "street_scene.hpp"
 
+#include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
@@ -76,7 +77,7 @@ TEST(FacadeSupport, FacadesBeyondTheVisionCloudHaveNone) {
 }
 
 TEST(ChooseBySurfaces, TakesThePlaceWhoseFacadesAreThereNotTheOneThatScoresMore) {
-  const PreparedClouds clouds = crop(5);
+  const PreparedClouds clouds = crop(4);
   const OutlinePlaces found{.places = {place_at(aside(9.0, 20.0 * kDeg), 100.0),
                                        place_at(aside(0.3, 0.5 * kDeg), 97.0),
                                        place_at(aside(-7.0), 90.0)}};
@@ -129,6 +130,48 @@ TEST(ChooseBySurfaces, StopsWhenAsked) {
       choose_by_surfaces(inputs, clouds, found, {}, RunContext{.stop = source.get_token()});
   ASSERT_FALSE(choice);
   EXPECT_EQ(choice.error().code, ErrorCode::kCancelled);
+}
+
+/// A vision cloud and, 90 m beside it, one of the same roofs.
+struct Twins {
+  test::Scene scene = {};
+  PointCloud vision = {};
+};
+
+test::SceneOptions twin_scene(double facade_share) {
+  return {.half_extent_m = 38.0, .lidar_half_extent_m = 38.0, .facade_share = facade_share};
+}
+
+Twins with_twin(std::uint64_t seed, PointCloud twin) {
+  Twins twins{.scene = test::make_scene(seed, twin_scene(0.8))};
+  const Rigid3 beside{.translation = {90.0, 0.0, 0.0}};
+  twins.vision = concatenate(twins.scene.vision, transformed(beside, std::move(twin)));
+  return twins;
+}
+
+TEST(RegisterCrossSource, FacadesDecideBetweenPlacesWhoseRoofsAreAlike) {
+  // Every storey of the twin stands half a metre beside the one below.
+  PointCloud staggered = test::make_scene(51, twin_scene(0.8)).vision;
+  for (Eigen::Vector3f& p : staggered.points) {
+    const int storey = static_cast<int>(std::floor((p.z() + 100.0F) / 1.5F)) % 3;
+    p.head<2>() += 0.5F * static_cast<float>(storey - 1) * Eigen::Vector2f::Ones();
+  }
+  const Twins twins = with_twin(51, std::move(staggered));
+  const auto result = register_cross_source(twins.vision, twins.scene.lidar);
+  ASSERT_TRUE(result) << result.error().message;
+  EXPECT_GT(result->score("peak_ratio"), VerdictOptions{}.max_peak_ratio);
+  EXPECT_EQ(result->score("surfaces_compared"), 1.0);
+  EXPECT_EQ(result->status, RegistrationStatus::kOk) << result->reason;
+  EXPECT_LT(result->vision_from_lidar.translation.norm(), 0.1);
+}
+
+TEST(RegisterCrossSource, FacadesDoNotDecideAgainstAPlaceOfWhichThePhotosShowNone) {
+  const Twins twins = with_twin(51, test::make_scene(51, twin_scene(0.0)).vision);
+  const auto result = register_cross_source(twins.vision, twins.scene.lidar);
+  ASSERT_TRUE(result) << result.error().message;
+  EXPECT_EQ(result->status, RegistrationStatus::kRefused);
+  EXPECT_EQ(result->score("surfaces_compared"), 0.0);
+  EXPECT_NE(result->reason.find("ambiguous"), std::string::npos) << result->reason;
 }
 
 }  // namespace
