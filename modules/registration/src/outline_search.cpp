@@ -172,7 +172,8 @@ Expected<OutlineSearch> search_outlines(const VisionMaps& vision,
                        ? 0
                        : static_cast<int>(std::ceil(window.max_yaw_rad / options.yaw_step_rad));
   const int full = static_cast<int>(std::lround(2.0 * std::numbers::pi / options.yaw_step_rad));
-  const int num_yaws = half > 0 ? 2 * half + 1 : (window.max_yaw_rad > 0.0 ? full : 1);
+  const int all = window.max_yaw_rad > 0.0 ? full : 1;
+  const int num_yaws = half > 0 ? 2 * half + 1 : all;
   const double step = half > 0 ? options.yaw_step_rad : 2.0 * std::numbers::pi / full;
   std::vector<std::vector<PlanarPose>> per_yaw(static_cast<std::size_t>(num_yaws));
   const auto yaw_of = [&](std::size_t k) {
