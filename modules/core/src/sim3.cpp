@@ -49,7 +49,7 @@ Expected<Sim3> fit(std::span<const Eigen::Vector3d> target,
   const Moments m = moments_of(target, source, weights);
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(m.covariance,
                                               Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const Eigen::Vector3d d = svd.singularValues();
+  const Eigen::Vector3d& d = svd.singularValues();
   if (!(d[1] > 1e-9 * d[0]) || !(m.source_variance > 0.0)) {
     return fail(ErrorCode::kDegenerate, "the paired points lie on one line: the rotation is free");
   }

@@ -103,8 +103,9 @@ std::vector<Eigen::Vector2f> boundary_points(std::span<const Eigen::Vector2f> po
     std::vector<float> directions;
     for (std::size_t i = begin; i < end; ++i) {
       grid.directions(i, directions);
-      is_boundary[i] = directions.size() >= 2 &&
-                       widest_gap_rad(directions) > static_cast<float>(options.min_gap_rad);
+      const bool has_gap = directions.size() >= 2 &&
+                           widest_gap_rad(directions) > static_cast<float>(options.min_gap_rad);
+      is_boundary[i] = has_gap ? 1 : 0;
     }
   });
   std::vector<Eigen::Vector2f> boundary;

@@ -92,6 +92,11 @@ void refit_surface(GroundModel& model,
   }
 }
 
+std::size_t node_at(const GroundModel& model, int x, int y) {
+  return static_cast<std::size_t>(y) * static_cast<std::size_t>(model.tiles_x) +
+         static_cast<std::size_t>(x);
+}
+
 /// Local planes about grid nodes on what the surface leaves, held at zero where cells are few.
 void fit_tiles(GroundModel& model,
                std::span<const Eigen::Vector3d> points,
@@ -120,7 +125,7 @@ void fit_tiles(GroundModel& model,
         const double hat = (1.0 - std::abs(b.y())) * (1.0 - std::abs(b.z()));
         if (hat <= 0.0) continue;
         const double weight = hat * asymmetric_weight(residual, gate);
-        const auto node = static_cast<std::size_t>(y * model.tiles_x + x);
+        const std::size_t node = node_at(model, x, y);
         normals[node] += weight * b * b.transpose();
         rights[node] += weight * left * b;
       }
@@ -147,7 +152,7 @@ double GroundModel::height_at(double x, double y) const {
     for (int dx = 0; dx < 2; ++dx) {
       const Eigen::Vector3d b(1.0, grid.x() - (x0 + dx), grid.y() - (y0 + dy));
       const double hat = (1.0 - std::abs(b.y())) * (1.0 - std::abs(b.z()));
-      z += hat * b.dot(tiles[static_cast<std::size_t>((y0 + dy) * tiles_x + x0 + dx)]);
+      z += hat * b.dot(tiles[node_at(*this, x0 + dx, y0 + dy)]);
     }
   }
   return z;

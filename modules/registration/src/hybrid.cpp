@@ -2,15 +2,11 @@
 
 #include "fine_alignment.hpp"
 #include "patch_votes.hpp"
+#include "place_support.hpp"
 #include "verdict.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <utility>
-
-#include <Eigen/Cholesky>
-#include <fmt/format.h>
 
 namespace hybridfusion {
 namespace {
@@ -24,30 +20,9 @@ PoseCovariance outline_covariance() {
   return sigma.array().square().matrix().asDiagonal();
 }
 
-/// Squared Mahalanobis distance of a place from the coarse pose in x, y and heading.
-double prior_distance(const Rigid3& vision_from_lidar,
-                      const Rigid3& initial,
-                      const PoseCovariance& covariance) {
-  const Rigid3 error = initial.inverse() * vision_from_lidar;
-  const Eigen::AngleAxisd turn(error.rotation);
-  const Eigen::Vector3d gap(
-      error.translation.x(), error.translation.y(), turn.angle() * turn.axis().z());
-  Eigen::Matrix3d marginal;
-  const std::array<Eigen::Index, 3> kept{0, 1, 5};
-  for (Eigen::Index r = 0; r < 3; ++r) {
-    for (Eigen::Index c = 0; c < 3; ++c) {
-      marginal(r, c) =
-          covariance(kept[static_cast<std::size_t>(r)], kept[static_cast<std::size_t>(c)]);
-    }
-  }
-  return gap.dot(marginal.ldlt().solve(gap));
-}
-
 /// The fine pose must stay at the place that the outlines found.
 bool agrees(const Rigid3& fine, const Rigid3& outline, const Eigen::Vector3d& centroid) {
-  const Eigen::Vector3d moved = fine * centroid - outline * centroid;
-  return moved.head<2>().norm() < 1.0 && std::abs(moved.z()) < 0.5 &&
-         rotation_distance_rad(fine.rotation, outline.rotation) < 2.0 * std::numbers::pi / 180.0;
+  return are_near(fine, outline, centroid, 1.0, 2.0 * std::numbers::pi / 180.0);
 }
 
 void take_fine(const FineResult& fine, const PreparedClouds& clouds, RegistrationResult& result) {
@@ -100,23 +75,67 @@ Expected<FineResult> align_finely(FineInputs& inputs,
   return align_fine(inputs, start, centroid, again, ctx);
 }
 
-/// What the best place shows before the fine alignment.
+/// The pose of `best` and all places; takes the scores of the headings.
+RegistrationResult result_of_outlines(OutlinePlaces& found,
+                                      const OutlinePlace& best,
+                                      const PreparedClouds& clouds) {
+  RegistrationResult result{.yaw_scores = std::move(found.yaw_scores)};
+  for (const OutlinePlace& place : found.places) {
+    result.candidates.push_back({from_leveled(place.vision_from_leveled, clouds), place.score});
+  }
+  result.vision_from_lidar = from_leveled(best.vision_from_leveled, clouds);
+  result.covariance = from_leveled(outline_covariance(), clouds);
+  result.lidar_from_vision_similarity = as_similarity(result.vision_from_lidar).inverse();
+  return result;
+}
+
+/// What place `k` shows before the fine alignment, against the best of the others.
 Evidence outline_evidence(const std::vector<OutlinePlace>& places,
+                          std::size_t k,
                           const PreparedClouds& clouds,
                           const OutlineOptions& options) {
-  const OutlinePlace& best = places.front();
+  const OutlinePlace& best = places[k];
   Evidence evidence;
   evidence.best = best.evidence;
   evidence.best_score = best.score;
   if (places.size() > 1) {
-    evidence.second_score = places[1].score;
-    evidence.second_offset = places[1].planar.position - best.planar.position;
-    evidence.second_turn_rad = places[1].planar.yaw_rad - best.planar.yaw_rad;
+    const OutlinePlace& second = places[k == 0 ? 1 : 0];
+    evidence.second_score = second.score;
+    evidence.second_offset = second.planar.position - best.planar.position;
+    evidence.second_turn_rad = second.planar.yaw_rad - best.planar.yaw_rad;
   }
   evidence.ground_inliers = best.ground_inliers;
   evidence.linear_share = clouds.lidar_maps.linear_share;
   evidence.ridge = test_ridge(clouds, best, options);
   return evidence;
+}
+
+/// The fine pose as evidence; one that left the outlines' pose within their peak is asked for the
+/// support of its facades. @returns whether the pose may be taken.
+bool weigh_fine(FineInputs& inputs,
+                const PreparedClouds& clouds,
+                const FineResult& fine,
+                const OutlinePlace& place,
+                const RegistrationOptions& options,
+                const RunContext& ctx,
+                Evidence& evidence) {
+  const Rigid3& outline = place.vision_from_leveled;
+  const Eigen::Vector3d& centroid = clouds.lidar_centroid;
+  evidence.has_fine = true;
+  evidence.fine = fine;
+  evidence.fine_agrees = agrees(fine.vision_from_lidar, outline, centroid);
+  if (evidence.fine_agrees) return true;
+  if (!are_near(fine.vision_from_lidar,
+                outline,
+                centroid,
+                options.outline.peak_distance_m,
+                options.outline.peak_angle_rad)) {
+    return false;
+  }
+  evidence.facade_support =
+      facade_support(inputs, clouds, fine.vision_from_lidar, options.fine, ctx);
+  evidence.fine_stays = evidence.facade_support > options.verdict.min_facade_support;
+  return evidence.fine_stays;
 }
 
 /// Votes of the patches on `vision_from_leveled`, into the evidence and the result.
@@ -143,23 +162,6 @@ Expected<void> take_votes(FineInputs& inputs,
 
 }  // namespace
 
-void prefer_by_prior(const PreparedClouds& clouds,
-                     const RegistrationInput& input,
-                     double max_peak_ratio,
-                     OutlinePlaces& found) {
-  std::vector<OutlinePlace>& places = found.places;
-  if (!input.vision_from_lidar_initial || !input.initial_covariance) return;
-  const auto is_excluded = [&](const OutlinePlace& place) {
-    const double squared = prior_distance(from_leveled(place.vision_from_leveled, clouds),
-                                          *input.vision_from_lidar_initial,
-                                          *input.initial_covariance);
-    return squared > 25.0;
-  };
-  const auto first = std::ranges::find_if_not(places, is_excluded);
-  if (first == places.end() || first->score < max_peak_ratio * places.front().score) return;
-  found.used_prior = std::erase_if(places, is_excluded) > 0;
-}
-
 Expected<RegistrationResult> register_at_places(OutlinePlaces found,
                                                 const PreparedClouds& clouds,
                                                 const PointCloud& lidar,
@@ -167,30 +169,26 @@ Expected<RegistrationResult> register_at_places(OutlinePlaces found,
                                                 const RegistrationOptions& options,
                                                 const RunContext& ctx) {
   const std::vector<OutlinePlace>& places = found.places;
-  const OutlinePlace& best = places.front();
-  Evidence evidence = outline_evidence(places, clouds, options.outline);
-  evidence.used_prior = found.used_prior;
-
-  RegistrationResult result{.yaw_scores = std::move(found.yaw_scores)};
-  for (const OutlinePlace& place : places) {
-    result.candidates.push_back({from_leveled(place.vision_from_leveled, clouds), place.score});
-  }
-  result.vision_from_lidar = from_leveled(best.vision_from_leveled, clouds);
-  result.covariance = from_leveled(outline_covariance(), clouds);
-  result.lidar_from_vision_similarity = as_similarity(result.vision_from_lidar).inverse();
   ctx.report({.stage = "registration/fine", .done = 1, .total = kSteps});
-  FineInputs inputs =
-      make_fine_inputs(clouds.vision, clouds.lidar, best.vision_from_leveled, options.fine, ctx);
+  FineInputs inputs = make_fine_inputs(
+      clouds.vision, clouds.lidar, places.front().vision_from_leveled, options.fine, ctx);
+  HF_TRY(const SurfaceChoice choice, choose_by_surfaces(inputs, clouds, found, options, ctx));
+  const OutlinePlace& best = places[choice.place];
+  if (choice.place > 0) {
+    inputs.samples =
+        draw_samples(clouds.vision, clouds.lidar, best.vision_from_leveled, options.fine, ctx);
+  }
+  Evidence evidence = outline_evidence(places, choice.place, clouds, options.outline);
+  evidence.used_prior = found.used_prior;
+  evidence.surfaces_compared = choice.is_compared;
+  evidence.facade_support = choice.support;
+  evidence.rival_support = choice.rival_support;
+
+  RegistrationResult result = result_of_outlines(found, best, clouds);
   Rigid3 final_pose = best.vision_from_leveled;
   const auto fine = align_finely(inputs, clouds, lidar, input, best, options, ctx, result.drift);
   if (!fine && fine.error().code == ErrorCode::kCancelled) return std::unexpected(fine.error());
-  evidence.has_fine = fine.has_value();
-  if (fine) {
-    evidence.fine = *fine;
-    evidence.fine_agrees =
-        agrees(fine->vision_from_lidar, best.vision_from_leveled, clouds.lidar_centroid);
-  }
-  if (evidence.fine_agrees) {
+  if (fine && weigh_fine(inputs, clouds, *fine, best, options, ctx, evidence)) {
     take_fine(*fine, clouds, result);
     final_pose = fine->vision_from_lidar;
     evidence.best = judge_pose(clouds.maps, clouds.lidar_maps, final_pose, best.planar.overhang_m);

@@ -18,6 +18,7 @@ struct OutlinePlaces {
   std::vector<OutlinePlace> places = {};  ///< Descending score.
   std::vector<YawScore> yaw_scores = {};  ///< Of the search, before any refinement.
   bool used_prior = false;                ///< The coarse pose changed the order of the places.
+  bool is_vision_whole = true;  ///< The prepared vision cloud reaches about all of the places.
 };
 
 /// In descending score; of those that climbed to the same place the best.

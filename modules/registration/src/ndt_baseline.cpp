@@ -12,6 +12,7 @@ Expected<RegistrationResult> register_ndt(const PreparedClouds& clouds,
   std::vector<Eigen::Vector3f> source;
   const std::size_t count =
       std::min(clouds.lidar.size(), static_cast<std::size_t>(options.samples));
+  source.reserve(count);
   for (std::size_t k = 0; k < count; ++k) {
     source.push_back(clouds.lidar[k * clouds.lidar.size() / count]);
   }

@@ -1,10 +1,12 @@
 #include "hybrid.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
 
+#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
@@ -31,6 +33,25 @@ void level_place(OutlinePlace& place,
     place.vision_from_leveled =
         lift(place.planar, pattern, tilt, place.vision_from_leveled.translation.z());
   }
+}
+
+/// Squared Mahalanobis distance of a place from the coarse pose in x, y and heading.
+double prior_distance(const Rigid3& vision_from_lidar,
+                      const Rigid3& initial,
+                      const PoseCovariance& covariance) {
+  const Rigid3 error = initial.inverse() * vision_from_lidar;
+  const Eigen::AngleAxisd turn(error.rotation);
+  const Eigen::Vector3d gap(
+      error.translation.x(), error.translation.y(), turn.angle() * turn.axis().z());
+  Eigen::Matrix3d marginal;
+  const std::array<Eigen::Index, 3> kept{0, 1, 5};
+  for (Eigen::Index r = 0; r < 3; ++r) {
+    for (Eigen::Index c = 0; c < 3; ++c) {
+      marginal(r, c) =
+          covariance(kept[static_cast<std::size_t>(r)], kept[static_cast<std::size_t>(c)]);
+    }
+  }
+  return gap.dot(marginal.ldlt().solve(gap));
 }
 
 /// What the exhaustive search needs, at twice the cell. `coarser` may be `maps`.
@@ -103,6 +124,23 @@ Expected<OutlinePlaces> find_places(const PreparedClouds& clouds,
   }
   return OutlinePlaces{.places = distinct_places(std::move(places), options.outline),
                        .yaw_scores = search.yaw_scores};
+}
+
+void prefer_by_prior(const PreparedClouds& clouds,
+                     const RegistrationInput& input,
+                     double max_peak_ratio,
+                     OutlinePlaces& found) {
+  std::vector<OutlinePlace>& places = found.places;
+  if (!input.vision_from_lidar_initial || !input.initial_covariance) return;
+  const auto is_excluded = [&](const OutlinePlace& place) {
+    const double squared = prior_distance(from_leveled(place.vision_from_leveled, clouds),
+                                          *input.vision_from_lidar_initial,
+                                          *input.initial_covariance);
+    return squared > 25.0;
+  };
+  const auto first = std::ranges::find_if_not(places, is_excluded);
+  if (first == places.end() || first->score < max_peak_ratio * places.front().score) return;
+  found.used_prior = std::erase_if(places, is_excluded) > 0;
 }
 
 RidgeTest test_ridge(const PreparedClouds& clouds,

@@ -152,7 +152,7 @@ std::optional<PlanarPose> best_place_nearby(const VisionMaps& vision,
     for (int y = -shifts; y <= shifts; ++y) {
       for (int x = -shifts; x <= shifts; ++x) {
         PlanarPose trial = pose_at(x, y, turn);
-        const double way = std::hypot(x, y) / shifts + std::abs(turn) / kTurns;
+        const double way = std::hypot(x, y) / shifts + std::abs(static_cast<double>(turn)) / kTurns;
         trial.score = (1.0 - kStay * way) * score_of(vision, patch, trial, outline.free_penalty);
         if (trial.score > best.score) best = trial;
       }

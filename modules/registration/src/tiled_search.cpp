@@ -174,6 +174,7 @@ Expected<RegistrationResult> register_in_tiles(std::span<const Eigen::Vector3f> 
                                                const TileOptions& tiles) {
   HF_TRY(OutlinePlaces found, find_places_in_tiles(vision, input, options, tiles, ctx, clouds));
   prefer_by_prior(clouds, input, options.verdict.max_peak_ratio, found);
+  found.is_vision_whole = false;
   const Eigen::Vector2d middle = found.places.front().planar.position;
   const double reach_m =
       make_pattern(clouds.lidar_maps, Eigen::Matrix3d::Identity()).reach_m + 2.0 * kMargin_m;

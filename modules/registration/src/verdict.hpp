@@ -19,8 +19,12 @@ struct Evidence {
   RidgeTest ridge = {};
   bool used_prior = false;
   bool has_fine = false;     ///< The surfaces could be aligned,
-  bool fine_agrees = false;  ///< ... and stayed at the place that the outlines found.
+  bool fine_agrees = false;  ///< ... and stayed where the outlines were,
+  bool fine_stays = false;   ///< ... or at least at their peak.
   FineResult fine = {};
+  bool surfaces_compared = false;  ///< The places alike in outline were compared by surfaces.
+  double facade_support = 0.0;     ///< Of the best place; 0 where it was not asked for.
+  double rival_support = 0.0;      ///< Largest of the others.
   std::size_t patches_tried = 0;
   double patch_share = 0.0;  ///< Of these, in the cluster around the pose.
   double patch_spread_m = 0.0;

@@ -49,14 +49,63 @@ TEST(JudgeSurfaces, NamesWhatSpeaksAgainstThePose) {
             std::string::npos);
 }
 
+Evidence good_evidence() {
+  return {.best_score = 100.0,
+          .second_score = 30.0,
+          .best = {.facade_weight_on_edges = 500.0, .facade_share = 0.95, .ground_share = 1.0},
+          .ground_inliers = 1000,
+          .linear_share = 0.5,
+          .has_fine = true,
+          .fine_agrees = true};
+}
+
+RegistrationResult verdict_on(const Evidence& evidence) {
+  RegistrationResult result;
+  pronounce(evidence, {}, result);
+  return result;
+}
+
+TEST(Pronounce, BelievesAPlaceAmongEqualsWhoseSurfacesAloneFit) {
+  Evidence e = good_evidence();
+  e.second_score = 97.0;
+  EXPECT_EQ(verdict_on(e).status, RegistrationStatus::kRefused);
+  e.surfaces_compared = true;
+  e.facade_support = 0.8;
+  e.rival_support = 0.4;
+  EXPECT_EQ(verdict_on(e).status, RegistrationStatus::kOk) << verdict_on(e).reason;
+  EXPECT_EQ(verdict_on(e).score("rival_facade_support"), 0.4);
+  e.rival_support = 0.75;  // a twin
+  EXPECT_EQ(verdict_on(e).status, RegistrationStatus::kRefused);
+  EXPECT_NE(verdict_on(e).reason.find("ambiguous"), std::string::npos);
+  e.facade_support = 0.6;  // better than the others, but not there
+  e.rival_support = 0.1;
+  EXPECT_EQ(verdict_on(e).status, RegistrationStatus::kRefused);
+  e.facade_support = 0.0;
+  e.rival_support = 0.0;
+  EXPECT_EQ(verdict_on(e).status, RegistrationStatus::kRefused);
+}
+
+TEST(Pronounce, SurfacesThatDecideNothingTakeNothingFromAPlaceThatStandsOut) {
+  Evidence e = good_evidence();
+  e.surfaces_compared = true;
+  e.facade_support = 0.1;
+  EXPECT_EQ(verdict_on(e).status, RegistrationStatus::kOk);
+  EXPECT_EQ(verdict_on(e).confidence, 1.0);
+}
+
+TEST(Pronounce, BelievesSurfacesThatLeadAsideOnlyWhereFacadesAreSupported) {
+  Evidence e = good_evidence();
+  e.fine_agrees = false;
+  e.fine_stays = true;
+  e.facade_support = 0.8;
+  EXPECT_EQ(verdict_on(e).status, RegistrationStatus::kOk) << verdict_on(e).reason;
+  e.facade_support = 0.6;
+  EXPECT_EQ(verdict_on(e).status, RegistrationStatus::kRefused);
+  EXPECT_NE(verdict_on(e).reason.find("lead away"), std::string::npos);
+}
+
 TEST(Pronounce, RefusesAPlaceFromWhichTheSurfacesLeadAway) {
-  Evidence e{.best_score = 100.0,
-             .second_score = 30.0,
-             .best = {.facade_weight_on_edges = 500.0, .facade_share = 0.95, .ground_share = 1.0},
-             .ground_inliers = 1000,
-             .linear_share = 0.5,
-             .has_fine = true,
-             .fine_agrees = true};
+  Evidence e = good_evidence();
   RegistrationResult result;
   pronounce(e, {}, result);
   EXPECT_EQ(result.status, RegistrationStatus::kOk) << result.reason;

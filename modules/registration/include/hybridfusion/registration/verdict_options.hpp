@@ -18,6 +18,7 @@ struct VerdictOptions {
   double max_facade_on_ground = 0.25;
   double max_sigma_m = 0.5;
   double min_patch_share = 0.05;
+  double min_facade_support = 0.65;
 };
 
 template <>
@@ -111,6 +112,14 @@ struct OptionFields<VerdictOptions> {
              .doc = "Share of the LiDAR patches that must stay at the pose when registered alone; "
                     "full confidence from twice that. 0: their votes have no say.",
              .source = "ours, after HybridFusion III-C.5"}},
+      Field{&T::min_facade_support,
+            {.key = "min_facade_support",
+             .unit = "1",
+             .min = 0.0,
+             .max = 0.9,
+             .doc = "Share of the LiDAR facades on surfaces of the vision cloud from which these "
+                    "may decide between places alike in outline; full confidence 0.1 above.",
+             .source = "ours"}},
   };
 };
 
