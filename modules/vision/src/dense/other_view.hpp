@@ -23,13 +23,13 @@ struct OtherView {
   bool is_partner;
 };
 
-/// What another photo shows at a depth of the reference.
+/// What another photo shows at a depth of the reference: (u, v) is the point's pixel there, NaN
+/// outside the photo; `depth_m` is the other's depth carried over to the reference's own ray, NaN
+/// where it does not support the depth.
 struct Seen {
-  float u =
-      std::numeric_limits<float>::quiet_NaN();  // the point's pixel; nothing outside the photo
+  float u = std::numeric_limits<float>::quiet_NaN();
   float v = std::numeric_limits<float>::quiet_NaN();
-  float depth_m = std::numeric_limits<float>::quiet_NaN();  // carried over to the reference's own
-                                                            // ray, when it supports
+  float depth_m = std::numeric_limits<float>::quiet_NaN();
   float sigma_m = 0.0F;
   bool looks_through = false;
   bool has_depth = false;  // of its own, whether it supports or not
