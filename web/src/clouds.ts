@@ -10,7 +10,7 @@ ColorManagement.enabled = false;
 
 export type ColorMode = 'rgb' | 'height' | 'intensity' | 'source' | 'distance';
 export const COLOR_MODES: ColorMode[] = ['rgb', 'height', 'intensity', 'source', 'distance'];
-export const SOURCE_COLORS: Record<'vision' | 'lidar', string> = { vision: '#58a6ff', lidar: '#ff9f43' };
+export const SOURCE_COLORS: Record<'vision' | 'lidar' | 'interpolated', string> = { vision: '#58a6ff', lidar: '#ff9f43', interpolated: '#b8c0cc' };
 export const DISTANCE_RANGE_M = 1.0;
 
 type Stops = [number, Color][];
@@ -166,7 +166,7 @@ export class Clouds {
         material.intensityRange = [0, DISTANCE_RANGE_M];
         material.pointColorType = PointColorType.INTENSITY_GRADIENT;
       } else if (mode === 'source' && layer.has.source) {
-        material.classification = { 0: rgba(SOURCE_COLORS.vision), 1: rgba(SOURCE_COLORS.lidar), DEFAULT: rgba('#888888') };
+        material.classification = { 0: rgba(SOURCE_COLORS.vision), 1: rgba(SOURCE_COLORS.lidar), 2: rgba(SOURCE_COLORS.interpolated), DEFAULT: rgba('#888888') };
         material.pointColorType = PointColorType.CLASSIFICATION;
       } else if (mode === 'rgb') {
         material.pointColorType = PointColorType.RGB;

@@ -81,6 +81,8 @@ class BucketGrid {
   std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> buckets_;
 };
 
+}  // namespace
+
 float widest_gap_rad(std::vector<float>& directions) {
   std::ranges::sort(directions);
   float widest = directions.front() + 2.0F * std::numbers::pi_v<float> - directions.back();
@@ -89,8 +91,6 @@ float widest_gap_rad(std::vector<float>& directions) {
   }
   return widest;
 }
-
-}  // namespace
 
 std::vector<Eigen::Vector2f> boundary_points(std::span<const Eigen::Vector2f> points,
                                              const BoundaryOptions& options,

@@ -1,5 +1,6 @@
 #include <hybridfusion/geometry/kd_tree.hpp>
 
+#include <iterator>
 #include <limits>
 
 #include <nanoflann.hpp>
@@ -24,6 +25,34 @@ using Index = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<f
                                                   PointAdaptor,
                                                   3,
                                                   std::size_t>;
+
+/// Result set of nanoflann: the nearest points inside a sphere, sorted. `out` never grows beyond
+/// `count`.
+class NearestWithin {
+ public:
+  NearestWithin(std::size_t count, float squared_radius_m2, std::vector<Neighbor>& out)
+      : count_(count), squared_radius_m2_(squared_radius_m2), out_(out) {}
+
+  [[nodiscard]] std::size_t size() const { return out_.size(); }
+  [[nodiscard]] bool full() const { return out_.size() == count_; }
+  [[nodiscard]] float worstDist() const {
+    return full() ? out_.back().squared_distance_m2 : squared_radius_m2_;
+  }
+  /// nanoflann asks for the worst distance once a leaf: since then it may have become smaller.
+  bool addPoint(float distance, std::size_t index) {
+    if (distance >= worstDist()) return true;
+    if (full()) out_.pop_back();
+    auto place = out_.end();
+    while (place != out_.begin() && std::prev(place)->squared_distance_m2 > distance) --place;
+    out_.insert(place, {index, distance});
+    return true;
+  }
+
+ private:
+  std::size_t count_;
+  float squared_radius_m2_;
+  std::vector<Neighbor>& out_;
+};
 
 }  // namespace
 
@@ -55,6 +84,16 @@ void KdTree::nearest(const Eigen::Vector3f& query,
                   : impl_->index.knnSearch(query.data(), count, indices.data(), distances.data());
   out.resize(found);
   for (std::size_t i = 0; i < found; ++i) out[i] = {indices[i], distances[i]};
+}
+
+void KdTree::nearest(const Eigen::Vector3f& query,
+                     std::size_t count,
+                     float radius_m,
+                     std::vector<Neighbor>& out) const {
+  out.clear();
+  if (size() == 0 || count == 0) return;
+  NearestWithin found(count, radius_m * radius_m, out);
+  impl_->index.findNeighbors(found, query.data(), nanoflann::SearchParams());
 }
 
 void KdTree::within(const Eigen::Vector3f& query,

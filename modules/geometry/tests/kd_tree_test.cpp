@@ -30,6 +30,15 @@ TEST(KdTree, AgreesWithBruteForce) {
     tree.nearest(query, 7, found);
     ASSERT_EQ(found.size(), 7U);
     for (std::size_t i = 0; i < 7; ++i) EXPECT_FLOAT_EQ(found[i].squared_distance_m2, brute[i]);
+    for (const float radius_m : {0.3F, 1.0F, 3.0F}) {
+      const auto inside = static_cast<std::size_t>(
+          std::ranges::count_if(brute, [&](float d2) { return d2 < radius_m * radius_m; }));
+      tree.nearest(query, 7, radius_m, found);
+      ASSERT_EQ(found.size(), std::min<std::size_t>(7, inside));
+      for (std::size_t i = 0; i < found.size(); ++i) {
+        EXPECT_FLOAT_EQ(found[i].squared_distance_m2, brute[i]);
+      }
+    }
     tree.within(query, 1.0F, found);
     EXPECT_EQ(static_cast<std::ptrdiff_t>(found.size()),
               std::ranges::count_if(brute, [](float d2) { return d2 < 1.0F; }));
@@ -40,6 +49,8 @@ TEST(KdTree, AnEmptyTreeFindsNothing) {
   const KdTree tree({});
   std::vector<Neighbor> found(3);
   tree.nearest({0, 0, 0}, 3, found);
+  EXPECT_TRUE(found.empty());
+  tree.nearest({0, 0, 0}, 3, 1.0F, found);
   EXPECT_TRUE(found.empty());
   EXPECT_TRUE(std::isinf(tree.nearest(Eigen::Vector3f(0, 0, 0)).squared_distance_m2));
 }

@@ -151,7 +151,9 @@ bool CloudBuilder::add(std::span<const double> row) {
   if (sigma_ >= 0) cloud_.sigmas_m.push_back(static_cast<float>(finite(sigma_)));
   if (confidence_ >= 0) cloud_.confidences.push_back(static_cast<float>(finite(confidence_)));
   if (source_ >= 0) {
-    cloud_.sources.push_back(row[source_] == 0.0 ? PointSource::kVision : PointSource::kLidar);
+    cloud_.sources.push_back(row[source_] == 0.0   ? PointSource::kVision
+                             : row[source_] == 2.0 ? PointSource::kInterpolated
+                                                   : PointSource::kLidar);
   }
   return true;
 }

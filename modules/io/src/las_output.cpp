@@ -186,11 +186,14 @@ void append_counts(std::string& out, std::uint64_t num_points, LasVersion versio
   return out;
 }
 
-/// Return, class and scan angle of a first of one, unclassified, straight down.
-[[nodiscard]] std::string unmarked(LasVersion version) {
+/// Return, class and scan angle of a first of one, unclassified, straight down; `synthetic` marks
+/// what was not observed directly.
+[[nodiscard]] std::string unmarked(LasVersion version, bool synthetic) {
   using namespace std::string_literals;
-  return version == LasVersion::k14 ? "\x11\0\x01\0\0\0"s  // return, flags, class, user, angle
-                                    : "\x09\x01\0\0"s;     // return, class, angle, user
+  if (version == LasVersion::k14) {  // return, flags, class, user, angle
+    return synthetic ? "\x11\x01\x01\0\0\0"s : "\x11\0\x01\0\0\0"s;
+  }
+  return synthetic ? "\x09\x21\0\0"s : "\x09\x01\0\0"s;  // return, class, angle, user
 }
 
 void append_point(std::string& out,
@@ -202,7 +205,8 @@ void append_point(std::string& out,
   const float intensity =
       cloud.intensities.empty() ? 0.0F : cloud.intensities[i] * scaling.intensity_factor;
   append_value(out, static_cast<std::uint16_t>(std::clamp(intensity, 0.0F, 65535.0F)));
-  out += unmarked(scaling.version);
+  out += unmarked(scaling.version,
+                  !cloud.sources.empty() && cloud.sources[i] == PointSource::kInterpolated);
   append_value(out,
                static_cast<std::uint16_t>(
                    cloud.sources.empty() ? 0 : static_cast<int>(cloud.sources[i]) + 1));

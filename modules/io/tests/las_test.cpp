@@ -82,6 +82,8 @@ TEST(Las, LocalCloudHasItsPointsInMillimetresAndNoCrs) {
     const std::size_t from = header.points_at + i * 37;
     EXPECT_EQ(at<std::uint16_t>(bytes, from + 30), cloud.colors[i][0] * 257);
     EXPECT_EQ(at<std::uint8_t>(bytes, from + 36), static_cast<std::uint8_t>(cloud.sources[i]));
+    const bool is_synthetic = cloud.sources[i] == PointSource::kInterpolated;
+    EXPECT_EQ(at<std::uint8_t>(bytes, from + 15), is_synthetic ? 1 : 0);
     // GPS is 18 s ahead of UTC since 2017; adjusted standard time subtracts 1e9 s.
     EXPECT_NEAR(at<double>(bytes, from + 22), cloud.times_s[i] - 315964800.0 + 18.0 - 1e9, 1e-6);
   }
@@ -130,7 +132,8 @@ TEST(Las, OlderVersionsHaveTheirHeaderCountsAndPointFormat) {
     for (std::size_t i = 0; i < 50; ++i) {
       const std::size_t from = header.points_at + i * 35;
       EXPECT_EQ(at<std::uint8_t>(bytes, from + 14), 0x09);  // return 1 of 1
-      EXPECT_EQ(at<std::uint8_t>(bytes, from + 15), 1);     // unclassified
+      const bool is_synthetic = cloud.sources[i] == PointSource::kInterpolated;
+      EXPECT_EQ(at<std::uint8_t>(bytes, from + 15), is_synthetic ? 0x21 : 1);  // unclassified
       EXPECT_NEAR(at<double>(bytes, from + 20), cloud.times_s[i] - 315964800.0 + 18.0 - 1e9, 1e-6);
       EXPECT_EQ(at<std::uint16_t>(bytes, from + 28), cloud.colors[i][0] * 257);
       EXPECT_EQ(at<std::uint8_t>(bytes, from + 34), static_cast<std::uint8_t>(cloud.sources[i]));

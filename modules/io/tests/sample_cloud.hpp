@@ -24,7 +24,7 @@ namespace hybridfusion::testing {
     cloud.times_s.push_back(1'777'674'600.05 + 1e-6 * static_cast<double>(i));
     cloud.sigmas_m.push_back(0.01F * k);
     cloud.confidences.push_back(k);
-    cloud.sources.push_back(i % 3 == 0 ? PointSource::kLidar : PointSource::kVision);
+    cloud.sources.push_back(static_cast<PointSource>((i + 1) % 3));
   }
   return cloud;
 }

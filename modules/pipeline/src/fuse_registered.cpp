@@ -84,10 +84,13 @@ std::vector<std::string> summary_of(const RegistrationResult& result,
                         100.0 * (1.0 / result.vision_scale - 1.0),
                         frame.rescale.scale != 1.0 ? ", corrected in the fused cloud" : "")
           : std::string("photo model scale could not be told from the LiDAR cloud"),
-      fmt::format("{} fused points; {} vision and {} LiDAR points were doubles",
-                  fused.cloud.size(),
-                  fused.vision_dropped,
-                  fused.lidar_dropped)};
+      fmt::format(
+          "{} fused points, {} of them interpolated in narrow gaps (source 2); {} vision and "
+          "{} LiDAR points were doubles",
+          fused.cloud.size(),
+          fused.interpolated,
+          fused.vision_dropped,
+          fused.lidar_dropped)};
   if (frame.level.applied) {
     lines.push_back(fmt::format(
         "photo model tilted by {:.3f} deg against gravity in the LiDAR map, levelled in the fused "
@@ -128,6 +131,7 @@ Expected<StageResult> fuse_registered(const Project& project,
   json["fused_from_lidar"] = matrix_json(frame.from_lidar);
   json["level"] = json_of(frame.level);
   json["num_fused_points"] = fused.cloud.size();
+  json["num_interpolated_points"] = fused.interpolated;
   json["num_vision_points_dropped"] = fused.vision_dropped;
   json["num_lidar_points_dropped"] = fused.lidar_dropped;
   return StageResult{.summary = summary_of(result, fused, frame, json.value("seconds", 0.0))};

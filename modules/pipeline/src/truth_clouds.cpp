@@ -9,6 +9,19 @@
 
 namespace hybridfusion {
 
+namespace {
+
+/// Points that a sensor saw: all where the cloud does not say.
+std::vector<std::size_t> measured_points(const PointCloud& cloud) {
+  std::vector<std::size_t> measured;
+  for (std::size_t i = 0; i < cloud.sources.size(); ++i) {
+    if (cloud.sources[i] != PointSource::kInterpolated) measured.push_back(i);
+  }
+  return measured;
+}
+
+}  // namespace
+
 Expected<void> compare_clouds(const Workspace& workspace,
                               const std::filesystem::path& truth_folder,
                               const TruthAlignments& known,
@@ -19,16 +32,26 @@ Expected<void> compare_clouds(const Workspace& workspace,
   const auto sim = [](const Rigid3& rigid) {
     return Sim3{.rotation = rigid.rotation, .translation = rigid.translation};
   };
+  const auto compare_cloud = [&](std::string_view name,
+                                 const PointCloud& cloud,
+                                 SampleView view,
+                                 const std::vector<CloudAlignment>& alignments) -> Expected<void> {
+    HF_TRY(Json json, cloud_truth_json(cloud, truth, view, alignments, options, ctx));
+    metrics.summary.push_back(cloud_truth_line(name, json));
+    metrics.json["clouds"][std::string(name)] = std::move(json);
+    return {};
+  };
   const auto compare = [&](std::string_view name,
                            std::string_view file,
                            SampleView view,
                            const std::vector<CloudAlignment>& alignments) -> Expected<void> {
     if (!workspace.has(file) || alignments.empty()) return {};
     HF_TRY(const PointCloud cloud, read_ply(workspace.path(file)));
-    HF_TRY(Json json, cloud_truth_json(cloud, truth, view, alignments, options, ctx));
-    metrics.summary.push_back(cloud_truth_line(name, json));
-    metrics.json["clouds"][std::string(name)] = std::move(json);
-    return {};
+    if (auto step = compare_cloud(name, cloud, view, alignments); !step) return step;
+    const std::vector<std::size_t> measured = measured_points(cloud);
+    if (measured.empty() || measured.size() == cloud.size()) return {};
+    const std::string measured_name = std::string(name).append("_measured");
+    return compare_cloud(measured_name, select(cloud, measured), view, alignments);
   };
   std::vector<CloudAlignment> vision;
   std::vector<CloudAlignment> fused;

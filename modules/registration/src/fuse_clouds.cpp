@@ -2,6 +2,7 @@
 #include <hybridfusion/geometry/kd_tree.hpp>
 #include <hybridfusion/geometry/normals.hpp>
 #include <hybridfusion/registration/fuse_clouds.hpp>
+#include <hybridfusion/registration/gap_interpolation.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -150,6 +151,12 @@ Expected<FuseResult> fuse_clouds(const PointCloud& vision,
   }
   harmonise(a, b, options);
   result.cloud = concatenate(std::move(a), b);
+  if (options.interpolation.enabled) {
+    const PointCloud added = interpolate_gaps(result.cloud, options.interpolation, ctx);
+    if (ctx.stopped()) return fail(ErrorCode::kCancelled, "stopped while filling gaps");
+    result.interpolated = added.size();
+    result.cloud = concatenate(std::move(result.cloud), added);
+  }
   return result;
 }
 

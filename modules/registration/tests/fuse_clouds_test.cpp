@@ -67,6 +67,27 @@ TEST(FuseClouds, TheSmallerSigmaWins) {
   EXPECT_EQ(count(fused->cloud, PointSource::kLidar), 0U);
 }
 
+TEST(FuseClouds, NarrowGapsAreInterpolatedBehindTheMeasuredPointsUnlessSwitchedOff) {
+  PointCloud lidar;  // scan lines 0.25 m apart
+  for (float y = 0.0F; y < 4.0F; y += 0.05F) {
+    for (float z = 0.0F; z < 3.0F; z += 0.25F) lidar.points.emplace_back(0.0F, y, z);
+  }
+  FuseOptions options;
+  const auto filled = fuse_clouds(wall(0.0F, 5.0F, 6.0F), lidar, Rigid3{}, {}, options);
+  options.interpolation.enabled = false;
+  const auto measured = fuse_clouds(wall(0.0F, 5.0F, 6.0F), lidar, Rigid3{}, {}, options);
+  ASSERT_TRUE(filled && measured);
+  EXPECT_EQ(measured->interpolated, 0U);
+  EXPECT_GT(filled->interpolated, 200U);
+  EXPECT_EQ(filled->cloud.size(), measured->cloud.size() + filled->interpolated);
+  for (std::size_t i = 0; i < filled->cloud.size(); ++i) {
+    EXPECT_EQ(filled->cloud.sources[i] == PointSource::kInterpolated, i >= measured->cloud.size());
+    if (i < measured->cloud.size()) {
+      EXPECT_EQ(filled->cloud.points[i], measured->cloud.points[i]);
+    }
+  }
+}
+
 TEST(FuseClouds, LidarPointsBorrowTheColourOfNearVisionPoints) {
   PointCloud vision = wall(0.08F, 0.0F, 4.0F);
   vision.colors.assign(vision.size(), {10, 20, 30});

@@ -14,8 +14,8 @@ namespace hybridfusion {
 
 using Rgb8 = std::array<std::uint8_t, 3>;
 
-/// Which sensor saw a point of a fused cloud.
-enum class PointSource : std::uint8_t { kVision = 0, kLidar = 1 };
+/// Which sensor saw a point of a fused cloud; interpolated ones neither did.
+enum class PointSource : std::uint8_t { kVision = 0, kLidar = 1, kInterpolated = 2 };
 
 /// Points in one local metric frame [m] (never UTM or ECEF: float spacing is 0.03 m at 5e5 m).
 /// Every channel but `points` is optional: empty, or of the same length as `points`.

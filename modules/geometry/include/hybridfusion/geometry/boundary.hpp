@@ -54,6 +54,10 @@ struct OptionFields<BoundaryOptions> {
   };
 };
 
+/// Widest sector [rad] between consecutive directions [rad], which are sorted in place; a full turn
+/// for one. @pre !directions.empty()
+[[nodiscard]] float widest_gap_rad(std::vector<float>& directions);
+
 /// Thins `points` to cell means (ascending cell order) and keeps those with an empty sector wider
 /// than `min_gap_rad` among their neighbours within `radius_m`. Points with fewer than two
 /// neighbours have no boundary to speak of and are dropped. Non-finite points are ignored.

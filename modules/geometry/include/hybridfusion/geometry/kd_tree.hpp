@@ -24,6 +24,11 @@ class KdTree {
 
   /// The `count` nearest points, nearest first; fewer when the tree is smaller. Reuses `out`.
   void nearest(const Eigen::Vector3f& query, std::size_t count, std::vector<Neighbor>& out) const;
+  /// The `count` nearest of the points strictly nearer than `radius_m`, nearest first.
+  void nearest(const Eigen::Vector3f& query,
+               std::size_t count,
+               float radius_m,
+               std::vector<Neighbor>& out) const;
   /// All points strictly nearer than `radius_m`, nearest first.
   void within(const Eigen::Vector3f& query, float radius_m, std::vector<Neighbor>& out) const;
   /// The nearest point; index == size() and infinite distance for an empty tree.

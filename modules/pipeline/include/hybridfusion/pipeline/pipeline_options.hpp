@@ -67,7 +67,7 @@ struct OptionFields<FusionStageOptions> {
                     "the GNSS heights of the photos, when it is the better known; vision/ stays as "
                     "it is.",
              .source = "ours"}},
-      Field{&T::clouds, {.key = "clouds", .doc = "How doubles are dropped."}},
+      Field{&T::clouds, {.key = "clouds", .doc = "How doubles are dropped and gaps filled."}},
   };
 };
 

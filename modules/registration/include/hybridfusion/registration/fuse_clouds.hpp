@@ -3,6 +3,7 @@
 #include <hybridfusion/core/options.hpp>
 #include <hybridfusion/core/point_cloud.hpp>
 #include <hybridfusion/core/run_context.hpp>
+#include <hybridfusion/registration/gap_interpolation.hpp>
 
 #include <cstddef>
 #include <optional>
@@ -20,6 +21,7 @@ struct FuseOptions {
   double default_vision_sigma_m = 0.06;
   double default_lidar_sigma_m = 0.01;
   double color_distance_m = 0.3;
+  InterpolationOptions interpolation = {};
 };
 
 template <>
@@ -89,6 +91,8 @@ struct OptionFields<FuseOptions> {
            .doc = "LiDAR points take the colour of the nearest vision point within this distance; "
                   "others are mid-grey.",
            .source = "ours"}},
+      Field{&T::interpolation,
+            {.key = "interpolation", .doc = "Narrow gaps between the points of a surface."}},
   };
 };
 
@@ -96,6 +100,7 @@ struct FuseResult {
   PointCloud cloud = {};  ///< In the vision frame; `sources` is filled.
   std::size_t vision_dropped = 0;
   std::size_t lidar_dropped = 0;
+  std::size_t interpolated = 0;  ///< The last ones of `cloud`.
 };
 
 /// Maps the LiDAR cloud into the vision frame and merges both (HybridFusion III, module C). A point
@@ -104,7 +109,8 @@ struct FuseResult {
 /// better cloud stays and is moved onto their plane, so that the merge is nowhere thinner than
 /// either cloud. Channels survive when both clouds have them; LiDAR
 /// points without colours borrow those of near vision points; intensities survive from the LiDAR
-/// cloud alone (vision points get 0).
+/// cloud alone (vision points get 0). Narrow gaps are filled by interpolate_gaps, behind all
+/// measured points and marked by their source.
 /// @param vision_rescale  When given, applied to the vision cloud first (e.g. the scale that the
 ///                        LiDAR corrects); `vision_from_lidar` then refers to the rescaled cloud.
 /// @returns kInvalidOptions, or kInsufficient when a cloud's channels are inconsistent.
