@@ -20,26 +20,28 @@ DepthGuess merge_guesses(const std::vector<DepthGuess>& guesses) {
     return gap * gap <= 9.0 * (a.sigma_m * a.sigma_m + b.sigma_m * b.sigma_m);
   };
   const auto weight = [](const DepthGuess& g) { return 1.0 / (g.sigma_m * g.sigma_m); };
-  const DepthGuess* best = nullptr;
+  DepthGuess best;
   double best_support = 0.0;
   for (const DepthGuess& candidate : guesses) {
+    DepthGuess sum{.count = 0};
     double support = 0.0;
     for (const DepthGuess& g : guesses) {
-      if (agree(g, candidate)) support += weight(g);
+      if (!agree(g, candidate)) continue;
+      const double w = weight(g);
+      support += w;
+      sum.depth_m += w * g.depth_m;
+      ++sum.count;
     }
     if (support > best_support) {
       best_support = support;
-      best = &candidate;
+      best = sum;
     }
+    // Nothing can have more support than all.
+    if (sum.count == static_cast<int>(guesses.size())) break;
   }
-  double sum = 0.0;
-  int count = 0;
-  for (const DepthGuess& g : guesses) {
-    if (!agree(g, *best)) continue;
-    sum += weight(g) * g.depth_m;
-    ++count;
-  }
-  return {.depth_m = sum / best_support, .sigma_m = 1.0 / std::sqrt(best_support), .count = count};
+  return {.depth_m = best.depth_m / best_support,
+          .sigma_m = 1.0 / std::sqrt(best_support),
+          .count = best.count};
 }
 
 void drop_far_depths(DepthMap& map, double max_depth_m) {
