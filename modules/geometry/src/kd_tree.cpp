@@ -35,11 +35,11 @@ class NearestWithin {
 
   [[nodiscard]] std::size_t size() const { return out_.size(); }
   [[nodiscard]] bool full() const { return out_.size() == count_; }
-  [[nodiscard]] float worstDist() const {
+  [[nodiscard]] float worstDist() const {  // NOLINT(readability-identifier-naming): nanoflann's
     return full() ? out_.back().squared_distance_m2 : squared_radius_m2_;
   }
   /// nanoflann asks for the worst distance once a leaf: since then it may have become smaller.
-  bool addPoint(float distance, std::size_t index) {
+  bool addPoint(float distance, std::size_t index) {  // NOLINT(readability-identifier-naming)
     if (distance >= worstDist()) return true;
     if (full()) out_.pop_back();
     auto place = out_.end();

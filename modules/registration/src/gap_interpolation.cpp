@@ -74,7 +74,7 @@ void add_places_around(const Measured& measured,
     const Eigen::Vector3f direction =
         (std::cos(angle) * plane->along + std::sin(angle) * plane->across).cast<float>();
     for (int step = 1; step <= kSteps; ++step) {
-      const float step_m = static_cast<float>(spacing_m * step);
+      const auto step_m = static_cast<float>(spacing_m * step);
       const Eigen::Vector3f at = centre + step_m * direction;
       const auto is_near = [&](const Neighbor& member) {
         return (points[member.index] - at).squaredNorm() < measured.spacing_squared();
