@@ -20,28 +20,26 @@ DepthGuess merge_guesses(const std::vector<DepthGuess>& guesses) {
     return gap * gap <= 9.0 * (a.sigma_m * a.sigma_m + b.sigma_m * b.sigma_m);
   };
   const auto weight = [](const DepthGuess& g) { return 1.0 / (g.sigma_m * g.sigma_m); };
-  DepthGuess best;
+  const DepthGuess* best = nullptr;
   double best_support = 0.0;
   for (const DepthGuess& candidate : guesses) {
-    DepthGuess sum{.count = 0};
     double support = 0.0;
     for (const DepthGuess& g : guesses) {
-      if (!agree(g, candidate)) continue;
-      const double w = weight(g);
-      support += w;
-      sum.depth_m += w * g.depth_m;
-      ++sum.count;
+      if (agree(g, candidate)) support += weight(g);
     }
     if (support > best_support) {
       best_support = support;
-      best = sum;
+      best = &candidate;
     }
-    // Nothing can have more support than all.
-    if (sum.count == static_cast<int>(guesses.size())) break;
   }
-  return {.depth_m = best.depth_m / best_support,
-          .sigma_m = 1.0 / std::sqrt(best_support),
-          .count = best.count};
+  double sum = 0.0;
+  int count = 0;
+  for (const DepthGuess& g : guesses) {
+    if (!agree(g, *best)) continue;
+    sum += weight(g) * g.depth_m;
+    ++count;
+  }
+  return {.depth_m = sum / best_support, .sigma_m = 1.0 / std::sqrt(best_support), .count = count};
 }
 
 void drop_far_depths(DepthMap& map, double max_depth_m) {

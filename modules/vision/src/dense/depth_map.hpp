@@ -5,7 +5,6 @@
 
 #include <hybridfusion/core/point_cloud.hpp>
 #include <hybridfusion/core/rigid3.hpp>
-#include <hybridfusion/geometry/voxel_grid.hpp>
 #include <hybridfusion/vision/rectification.hpp>
 
 #include <algorithm>
@@ -47,8 +46,8 @@ struct DepthMap {
 /// nearest pixel's. NaN when that has none.
 [[nodiscard]] inline float depth_at(const DepthMap& map, float u, float v) {
   constexpr float kSameSurface = 0.01F;  // neighbouring depths of one surface seldom differ by more
-  const int x = static_cast<int>(floor_of(u));
-  const int y = static_cast<int>(floor_of(v));
+  const int x = static_cast<int>(std::floor(u));
+  const int y = static_cast<int>(std::floor(v));
   if (x >= 0 && y >= 0 && x + 1 < map.depth_m.width && y + 1 < map.depth_m.height) {
     const float* top = map.depth_m.row(y) + x;
     const float* bottom = map.depth_m.row(y + 1) + x;
@@ -61,8 +60,8 @@ struct DepthMap {
       return (1 - t) * ((1 - s) * top[0] + s * top[1]) + t * ((1 - s) * bottom[0] + s * bottom[1]);
     }
   }
-  const int nearest_x = static_cast<int>(floor_of(u + 0.5F));
-  const int nearest_y = static_cast<int>(floor_of(v + 0.5F));
+  const int nearest_x = static_cast<int>(std::floor(u + 0.5F));
+  const int nearest_y = static_cast<int>(std::floor(v + 0.5F));
   return map.depth_m.contains(nearest_x, nearest_y) ? map.depth_m.at(nearest_x, nearest_y)
                                                     : std::numeric_limits<float>::quiet_NaN();
 }

@@ -12,32 +12,22 @@ constexpr std::int16_t kNever = std::numeric_limits<std::int16_t>::max();
 
 /// Sub-pixel shift between two neighbours of a minimum, for costs that rise linearly on either side
 /// (census, absolute differences): a parabola would favour whole pixels.
-[[gnu::always_inline]] inline float symmetric_v_offset(float before, float at, float after) {
+float symmetric_v_offset(float before, float at, float after) {
   const float rise = std::max(before, after) - at;
   return rise > 0.0F ? 0.5F * (before - after) / rise : 0.0F;
 }
 
-[[gnu::always_inline]] inline std::int16_t least_of(const std::int16_t* sums, int count) {
-  std::int16_t least = kNever;
-  for (int k = 0; k < count; ++k) least = std::min(least, sums[k]);
-  return least;
-}
-
-/// Inlined into the caller's versions for each processor.
-[[gnu::always_inline]] inline float winner(std::int16_t* sums,
-                                           int count,
-                                           int low,
-                                           double uniqueness) {
+float winner(std::int16_t* sums, int count, int low, double uniqueness) {
   if (count < 3) return kInvalid;
-  const std::int16_t least = least_of(sums, count);
-  const int best = static_cast<int>(std::find(sums, sums + count, least) - sums);
+  const int best = static_cast<int>(std::min_element(sums, sums + count) - sums);
   // A minimum at the border of the candidates says only that the true one may lie beyond.
   if (best == 0 || best == count - 1) return kInvalid;
   const std::int16_t before = sums[best - 1];
   const std::int16_t at = sums[best];
   const std::int16_t after = sums[best + 1];
   std::fill_n(sums + best - 1, 3, kNever);
-  const std::int16_t second = least_of(sums, count);
+  std::int16_t second = kNever;
+  for (int k = 0; k < count; ++k) second = std::min(second, sums[k]);
   sums[best - 1] = before;
   sums[best] = at;
   sums[best + 1] = after;

@@ -110,11 +110,8 @@ RectifiedImages rectified_images(const Pair& pair,
 /// Disparity between pixels of one surface; NaN elsewhere.
 float sample(const ImagePlane<float>& disparity, double u, double v) {
   constexpr float kSameSurfacePx = 1.0F;
-  if (!(u >= 0.0 && v >= 0.0 && u < disparity.width && v < disparity.height)) {
-    return std::numeric_limits<float>::quiet_NaN();
-  }
-  const int x = static_cast<int>(u);
-  const int y = static_cast<int>(v);
+  const int x = static_cast<int>(std::floor(u));
+  const int y = static_cast<int>(std::floor(v));
   if (!disparity.contains(x, y) || !disparity.contains(x + 1, y + 1)) {
     return std::numeric_limits<float>::quiet_NaN();
   }
