@@ -56,6 +56,13 @@ using Bytes [[gnu::vector_size(kDisparityLanes)]] = std::uint8_t;
   return v[0];
 }
 
-inline constexpr Lanes kLaneIndex = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+/// All bits in the lanes from `first` on (0 to 16), none before: read from a table, where comparing
+/// with a number would build a vector of it first.
+[[gnu::always_inline]] inline Lanes lanes_from(int first) {
+  static constexpr std::int16_t kSteps[2 * kDisparityLanes] = {
+      0,  0,  0,  0,  0,  0,  0,  0,  0,  0,  0,  0,  0,  0,  0,  0,
+      -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1, -1};
+  return load(kSteps + kDisparityLanes - first);
+}
 
 }  // namespace hybridfusion

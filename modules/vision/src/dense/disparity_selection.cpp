@@ -28,7 +28,7 @@ constexpr std::int16_t kNever = std::numeric_limits<std::int16_t>::max();
 [[gnu::always_inline]] inline Lanes candidates(const std::int16_t* sums, int k, int count) {
   const Lanes lanes = load(sums + k);
   if (k + kDisparityLanes <= count) return lanes;
-  return lanes | never_where(kLaneIndex >= splat(static_cast<std::int16_t>(count - k)));
+  return lanes | never_where(lanes_from(count - k));
 }
 
 [[gnu::always_inline]] inline float winner(const std::int16_t* sums,
@@ -46,8 +46,8 @@ constexpr std::int16_t kNever = std::numeric_limits<std::int16_t>::max();
   if (best == 0 || best == count - 1) return kInvalid;
   Lanes others = splat(kNever);
   for (int k = 0; k < count; k += kDisparityLanes) {
-    const Lanes from_best = kLaneIndex + splat(static_cast<std::int16_t>(k - best));
-    const Lanes beside = (from_best >= splat(-1)) & (from_best <= splat(1));
+    const Lanes beside = lanes_from(std::clamp(best - 1 - k, 0, kDisparityLanes)) &
+                         ~lanes_from(std::clamp(best + 2 - k, 0, kDisparityLanes));
     others = smaller(others, candidates(sums, k, count) | never_where(beside));
   }
   const std::int16_t second = smallest(others);

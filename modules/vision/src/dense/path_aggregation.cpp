@@ -9,11 +9,6 @@
 namespace hybridfusion {
 namespace {
 
-/// kUnreachable in the lanes from `count` on, 0 before.
-[[gnu::always_inline]] inline Lanes beyond(int count) {
-  return (kLaneIndex >= splat(static_cast<std::int16_t>(count))) & splat(kUnreachable);
-}
-
 /// The pixel that a path comes from.
 struct Source {
   const std::int16_t* costs = nullptr;  // of candidate `low`
@@ -63,7 +58,7 @@ struct Source {
     const Lanes step = smaller(load(before + k), load(before + k + 2)) + small;
     const Lanes least = smaller(step, smaller(load(before + k + 1), jump));
     Lanes value = load_bytes(costs + k) + (least - least_before);
-    if (k + kDisparityLanes > count) value |= beyond(count - k);
+    if (k + kDisparityLanes > count) value |= lanes_from(count - k) & splat(kUnreachable);
     store(out + k, value);
     store(sums + k, load(sums + k) + value);
     best = smaller(best, value);
