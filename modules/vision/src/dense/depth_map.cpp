@@ -19,27 +19,30 @@ DepthGuess merge_guesses(const std::vector<DepthGuess>& guesses) {
     const double gap = a.depth_m - b.depth_m;
     return gap * gap <= 9.0 * (a.sigma_m * a.sigma_m + b.sigma_m * b.sigma_m);
   };
-  const auto weight = [](const DepthGuess& g) { return 1.0 / (g.sigma_m * g.sigma_m); };
-  const DepthGuess* best = nullptr;
+  int best_count = 0;
   double best_support = 0.0;
+  double best_sum = 0.0;
   for (const DepthGuess& candidate : guesses) {
     double support = 0.0;
+    double sum = 0.0;
+    int count = 0;
     for (const DepthGuess& g : guesses) {
-      if (agree(g, candidate)) support += weight(g);
+      if (!agree(g, candidate)) continue;
+      const double weight = 1.0 / (g.sigma_m * g.sigma_m);
+      support += weight;
+      sum += weight * g.depth_m;
+      ++count;
     }
     if (support > best_support) {
       best_support = support;
-      best = &candidate;
+      best_sum = sum;
+      best_count = count;
     }
+    if (count == static_cast<int>(guesses.size())) break;  // none has more support
   }
-  double sum = 0.0;
-  int count = 0;
-  for (const DepthGuess& g : guesses) {
-    if (!agree(g, *best)) continue;
-    sum += weight(g) * g.depth_m;
-    ++count;
-  }
-  return {.depth_m = sum / best_support, .sigma_m = 1.0 / std::sqrt(best_support), .count = count};
+  return {.depth_m = best_sum / best_support,
+          .sigma_m = 1.0 / std::sqrt(best_support),
+          .count = best_count};
 }
 
 void drop_far_depths(DepthMap& map, double max_depth_m) {

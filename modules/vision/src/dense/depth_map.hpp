@@ -46,8 +46,8 @@ struct DepthMap {
 /// nearest pixel's. NaN when that has none.
 [[nodiscard]] inline float depth_at(const DepthMap& map, float u, float v) {
   constexpr float kSameSurface = 0.01F;  // neighbouring depths of one surface seldom differ by more
-  const int x = static_cast<int>(std::floor(u));
-  const int y = static_cast<int>(std::floor(v));
+  const int x = floor_to_int(u);
+  const int y = floor_to_int(v);
   if (x >= 0 && y >= 0 && x + 1 < map.depth_m.width && y + 1 < map.depth_m.height) {
     const float* top = map.depth_m.row(y) + x;
     const float* bottom = map.depth_m.row(y + 1) + x;
@@ -60,8 +60,8 @@ struct DepthMap {
       return (1 - t) * ((1 - s) * top[0] + s * top[1]) + t * ((1 - s) * bottom[0] + s * bottom[1]);
     }
   }
-  const int nearest_x = static_cast<int>(std::floor(u + 0.5F));
-  const int nearest_y = static_cast<int>(std::floor(v + 0.5F));
+  const int nearest_x = floor_to_int(u + 0.5F);
+  const int nearest_y = floor_to_int(v + 0.5F);
   return map.depth_m.contains(nearest_x, nearest_y) ? map.depth_m.at(nearest_x, nearest_y)
                                                     : std::numeric_limits<float>::quiet_NaN();
 }

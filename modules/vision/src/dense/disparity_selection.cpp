@@ -1,5 +1,7 @@
 #include "disparity_selection.hpp"
 
+#include "disparity_lanes.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,34 +14,52 @@ constexpr std::int16_t kNever = std::numeric_limits<std::int16_t>::max();
 
 /// Sub-pixel shift between two neighbours of a minimum, for costs that rise linearly on either side
 /// (census, absolute differences): a parabola would favour whole pixels.
-float symmetric_v_offset(float before, float at, float after) {
+[[gnu::always_inline]] inline float symmetric_v_offset(float before, float at, float after) {
   const float rise = std::max(before, after) - at;
   return rise > 0.0F ? 0.5F * (before - after) / rise : 0.0F;
 }
 
-float winner(std::int16_t* sums, int count, int low, double uniqueness) {
+/// kNever, which no bit of a sum exceeds, in the lanes of a comparison that holds; 0 elsewhere.
+[[gnu::always_inline]] inline Lanes never_where(const Lanes& mask) {
+  return mask & splat(kNever);
+}
+
+/// Sums of candidates k to k + 15; kNever beyond the last one.
+[[gnu::always_inline]] inline Lanes candidates(const std::int16_t* sums, int k, int count) {
+  const Lanes lanes = load(sums + k);
+  if (k + kDisparityLanes <= count) return lanes;
+  return lanes | never_where(lanes_from(count - k));
+}
+
+[[gnu::always_inline]] inline float winner(const std::int16_t* sums,
+                                           int count,
+                                           int low,
+                                           double uniqueness) {
   if (count < 3) return kInvalid;
-  const int best = static_cast<int>(std::min_element(sums, sums + count) - sums);
+  Lanes least = splat(kNever);
+  for (int k = 0; k < count; k += kDisparityLanes) {
+    least = smaller(least, candidates(sums, k, count));
+  }
+  const std::int16_t at = smallest(least);
+  const int best = static_cast<int>(std::find(sums, sums + count, at) - sums);
   // A minimum at the border of the candidates says only that the true one may lie beyond.
   if (best == 0 || best == count - 1) return kInvalid;
-  const std::int16_t before = sums[best - 1];
-  const std::int16_t at = sums[best];
-  const std::int16_t after = sums[best + 1];
-  std::fill_n(sums + best - 1, 3, kNever);
-  std::int16_t second = kNever;
-  for (int k = 0; k < count; ++k) second = std::min(second, sums[k]);
-  sums[best - 1] = before;
-  sums[best] = at;
-  sums[best + 1] = after;
+  Lanes others = splat(kNever);
+  for (int k = 0; k < count; k += kDisparityLanes) {
+    const Lanes beside = lanes_from(std::clamp(best - 1 - k, 0, kDisparityLanes)) &
+                         ~lanes_from(std::clamp(best + 2 - k, 0, kDisparityLanes));
+    others = smaller(others, candidates(sums, k, count) | never_where(beside));
+  }
+  const std::int16_t second = smallest(others);
   if (second != kNever && second < (1.0 + uniqueness) * at) return kInvalid;
-  return static_cast<float>(low + best) + symmetric_v_offset(before, at, after);
+  return static_cast<float>(low + best) + symmetric_v_offset(sums[best - 1], at, sums[best + 1]);
 }
 
 __attribute__((target_clones("avx2", "default"))) void winners(const CandidateRow& row,
                                                                double uniqueness,
                                                                float* disparity) {
   for (int x = 0; x < row.width; ++x) {
-    std::int16_t* sums = row.sums + static_cast<std::size_t>(row.block[x]) * kDisparityLanes;
+    const std::int16_t* sums = row.sums + static_cast<std::size_t>(row.block[x]) * kDisparityLanes;
     disparity[x] = winner(sums, row.count[x], row.low[x], uniqueness);
   }
 }

@@ -7,7 +7,6 @@ namespace hybridfusion {
 
 /// Best disparity of each pixel of row `y` from the summed path costs: unique, found from the right
 /// image too (Hirschmueller 2008, 2.4), between pixels by a symmetric V. NaN where there is none.
-/// `row.sums` is restored after use.
 class DisparitySelection {
  public:
   DisparitySelection(const RectifiedImages& images, const StereoOptions& options);

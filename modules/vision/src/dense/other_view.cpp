@@ -12,8 +12,8 @@ constexpr float kSameSurface = 0.01F;  // neighbouring depths of one surface sel
 /// Grey value between pixels; nothing outside the photo.
 float grey_at(const DepthMap& map, float u, float v) {
   if (std::isnan(u)) return kNothing;
-  const int x = static_cast<int>(std::floor(u));
-  const int y = static_cast<int>(std::floor(v));
+  const int x = floor_to_int(u);
+  const int y = floor_to_int(v);
   if (x < 0 || y < 0 || x + 1 >= map.grey.width || y + 1 >= map.grey.height) return kNothing;
   if (map.mask.at(x, y) == 0 || map.mask.at(x + 1, y + 1) == 0) return kNothing;
   const std::uint8_t* top = map.grey.row(y) + x;
@@ -82,8 +82,8 @@ Seen OtherViewBand::look_at(int x, int y, const Eigen::Vector3f& ray_in_other) c
   const float theirs = depth_at(map, u, v);
   if (std::isnan(theirs)) return seen;
   seen.has_depth = true;
-  const int column = static_cast<int>(std::floor(u + 0.5F));
-  const int row = static_cast<int>(std::floor(v + 0.5F));
+  const int column = floor_to_int(u + 0.5F);
+  const int row = floor_to_int(v + 0.5F);
   const float own_sigma = reference_.sigma_m.at(x, y);
   const float sigma = map.has_depth(column, row) ? map.sigma_m.at(column, row) : own_sigma;
   const float step =  // one pixel of disparity

@@ -1,62 +1,13 @@
 #include "path_aggregation.hpp"
 
+#include "disparity_lanes.hpp"
+
 #include <algorithm>
 #include <cstdlib>
-#include <cstring>
 #include <utility>
-
-// Vectors are passed between functions that are always inlined: no call depends on their ABI.
-#pragma GCC diagnostic ignored "-Wpsabi"
 
 namespace hybridfusion {
 namespace {
-
-// GCC's vector extension: the compiler maps it to whatever the target of each clone has.
-using Lanes [[gnu::vector_size(2 * kDisparityLanes)]] = std::int16_t;
-using Bytes [[gnu::vector_size(kDisparityLanes)]] = std::uint8_t;
-
-[[gnu::always_inline]] inline Lanes load(const std::int16_t* from) {
-  Lanes lanes;
-  std::memcpy(&lanes, from, sizeof lanes);
-  return lanes;
-}
-
-[[gnu::always_inline]] inline Lanes load_bytes(const std::uint8_t* from) {
-  Bytes bytes;
-  std::memcpy(&bytes, from, sizeof bytes);
-  return __builtin_convertvector(bytes, Lanes);
-}
-
-[[gnu::always_inline]] inline void store(std::int16_t* to, const Lanes& lanes) {
-  std::memcpy(to, &lanes, sizeof lanes);
-}
-
-[[gnu::always_inline]] inline Lanes smaller(const Lanes& a, const Lanes& b) {
-  return a < b ? a : b;
-}
-
-[[gnu::always_inline]] inline Lanes splat(std::int16_t value) {
-  return Lanes{} + value;
-}
-
-[[gnu::always_inline]] inline std::int16_t smallest(const Lanes& lanes) {
-  Lanes v = lanes;
-  v = smaller(v,
-              __builtin_shufflevector(v, v, 8, 9, 10, 11, 12, 13, 14, 15, 0, 1, 2, 3, 4, 5, 6, 7));
-  v = smaller(v,
-              __builtin_shufflevector(v, v, 4, 5, 6, 7, 0, 1, 2, 3, 12, 13, 14, 15, 8, 9, 10, 11));
-  v = smaller(v,
-              __builtin_shufflevector(v, v, 2, 3, 0, 1, 6, 7, 4, 5, 10, 11, 8, 9, 14, 15, 12, 13));
-  v = smaller(v,
-              __builtin_shufflevector(v, v, 1, 0, 3, 2, 5, 4, 7, 6, 9, 8, 11, 10, 13, 12, 15, 14));
-  return v[0];
-}
-
-/// kUnreachable in the lanes from `count` on, 0 before.
-[[gnu::always_inline]] inline Lanes beyond(int count) {
-  constexpr Lanes kIndex = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
-  return (kIndex >= splat(static_cast<std::int16_t>(count))) & splat(kUnreachable);
-}
 
 /// The pixel that a path comes from.
 struct Source {
@@ -107,7 +58,7 @@ struct Source {
     const Lanes step = smaller(load(before + k), load(before + k + 2)) + small;
     const Lanes least = smaller(step, smaller(load(before + k + 1), jump));
     Lanes value = load_bytes(costs + k) + (least - least_before);
-    if (k + kDisparityLanes > count) value |= beyond(count - k);
+    if (k + kDisparityLanes > count) value |= lanes_from(count - k) & splat(kUnreachable);
     store(out + k, value);
     store(sums + k, load(sums + k) + value);
     best = smaller(best, value);
@@ -127,38 +78,53 @@ std::size_t path_offset(const CandidateRow& row, int x) {
          kDisparityLanes;
 }
 
+/// A path along a row: what it comes from, and room for the costs of two pixels and a copy.
+struct Walk {
+  Source from;
+  std::int16_t* current;
+  std::int16_t* next;
+  std::int16_t* copy;
+
+  Walk(std::int16_t* scratch, std::size_t slot)
+      : from{.costs = scratch + kDisparityLanes},
+        current(scratch + kDisparityLanes),
+        next(current + slot),
+        copy(next + slot) {}
+};
+
+[[gnu::always_inline]] inline void walk_to(
+    const CandidateRow& row, int x, int before_x, const StepPenalties& penalties, Walk& walk) {
+  const int count = row.count[x];
+  if (count == 0) {
+    walk.from.count = 0;
+    return;
+  }
+  const std::size_t at = static_cast<std::size_t>(row.block[x]) * kDisparityLanes;
+  const std::int16_t min = advance_path(
+      row.costs + at,
+      shifted_costs(walk.from, row.low[x], count, walk.copy),
+      walk.from.count == 0 ? std::int16_t{0} : walk.from.min,
+      penalties.small,
+      penalties.large[static_cast<std::size_t>(std::abs(row.grey[x] - row.grey[before_x]))],
+      count,
+      walk.next,
+      row.sums + at);
+  const std::size_t slots =
+      static_cast<std::size_t>(row.block[x + 1] - row.block[x]) * kDisparityLanes;
+  store(walk.next + slots, splat(kUnreachable));
+  walk.from = {.costs = walk.next, .low = row.low[x], .count = count, .min = min};
+  std::swap(walk.current, walk.next);
+}
+
+/// Each pixel waits for the one before it: two paths at a time use the waits of one another.
 __attribute__((target_clones("avx2", "default"))) void along_row(const CandidateRow& row,
-                                                                 int step,
                                                                  const StepPenalties& penalties,
-                                                                 std::int16_t* scratch,
-                                                                 std::size_t slot) {
-  std::int16_t* current = scratch + kDisparityLanes;
-  std::int16_t* next = current + slot;
-  std::int16_t* copy = next + slot;
-  Source from{.costs = current};
-  for (int i = 0; i < row.width; ++i) {
-    const int x = step > 0 ? i : row.width - 1 - i;
-    const int count = row.count[x];
-    if (count == 0) {
-      from.count = 0;
-      continue;
-    }
-    const int before_x = i == 0 ? x : x - step;
-    const std::size_t at = static_cast<std::size_t>(row.block[x]) * kDisparityLanes;
-    const std::int16_t min = advance_path(
-        row.costs + at,
-        shifted_costs(from, row.low[x], count, copy),
-        from.count == 0 ? std::int16_t{0} : from.min,
-        penalties.small,
-        penalties.large[static_cast<std::size_t>(std::abs(row.grey[x] - row.grey[before_x]))],
-        count,
-        next,
-        row.sums + at);
-    const std::size_t slots =
-        static_cast<std::size_t>(row.block[x + 1] - row.block[x]) * kDisparityLanes;
-    store(next + slots, splat(kUnreachable));
-    from = {.costs = next, .low = row.low[x], .count = count, .min = min};
-    std::swap(current, next);
+                                                                 Walk rightwards,
+                                                                 Walk leftwards) {
+  const int last = row.width - 1;
+  for (int i = 0; i <= last; ++i) {
+    walk_to(row, i, std::max(i - 1, 0), penalties, rightwards);
+    walk_to(row, last - i, std::min(last - i + 1, last), penalties, leftwards);
   }
 }
 
@@ -209,10 +175,11 @@ StepPenalties step_penalties(int smoothness_small, int smoothness_large) {
   return penalties;
 }
 
-void aggregate_along(const CandidateRow& row, int step, const StepPenalties& penalties) {
+void aggregate_along(const CandidateRow& row, const StepPenalties& penalties) {
   const std::size_t slot = slot_size(row);
-  std::vector<std::int16_t> scratch(3 * slot + kDisparityLanes, kUnreachable);
-  along_row(row, step, penalties, scratch.data(), slot);
+  const std::size_t size = 3 * slot + kDisparityLanes;
+  std::vector<std::int16_t> scratch(2 * size, kUnreachable);
+  along_row(row, penalties, Walk(scratch.data(), slot), Walk(scratch.data() + size, slot));
 }
 
 void aggregate_from(const CandidateRow& row,

@@ -39,8 +39,8 @@ struct PathRow {
   std::vector<std::int16_t> mins = {};
 };
 
-/// Adds the costs of the path along the row itself, rightwards for step +1, leftwards for -1.
-void aggregate_along(const CandidateRow& row, int step, const StepPenalties& penalties);
+/// Adds the costs of the two paths along the row itself.
+void aggregate_along(const CandidateRow& row, const StepPenalties& penalties);
 
 /// Adds the costs of the paths that arrive from pixel x - dx of the neighbouring row `from`;
 /// `state` holds that row's path costs and then this row's. An empty state starts new paths.

@@ -64,8 +64,7 @@ class Matcher {
   [[nodiscard]] CandidateRow row(int y);
   void load(const Strip& strip);
   void aggregate_down(const Strip& strip, PathStates& states);
-  void aggregate_up(const Strip& strip, PathStates& states);
-  void advance(int y, int from_y, int horizontal_step, PathStates& states);
+  void advance(int y, int from_y, PathStates& states);
 
   const RectifiedImages& images_;
   const DisparityRanges& ranges_;
@@ -155,9 +154,8 @@ void Matcher::load(const Strip& strip) {
   }
 }
 
-void Matcher::advance(int y, int from_y, int horizontal_step, PathStates& states) {
+void Matcher::advance(int y, int from_y, PathStates& states) {
   const CandidateRow to = row(y);
-  aggregate_along(to, horizontal_step, penalties_);
   const bool first = from_y < 0 || from_y >= images_.left.height;
   const CandidateRow from = row(first ? y : from_y);
   for (std::size_t i = 0; i < directions_.size(); ++i) {
@@ -166,11 +164,7 @@ void Matcher::advance(int y, int from_y, int horizontal_step, PathStates& states
 }
 
 void Matcher::aggregate_down(const Strip& strip, PathStates& states) {
-  for (int y = strip.begin; y < strip.end; ++y) advance(y, y - 1, +1, states);
-}
-
-void Matcher::aggregate_up(const Strip& strip, PathStates& states) {
-  for (int y = strip.end - 1; y >= strip.begin; --y) advance(y, y + 1, -1, states);
+  for (int y = strip.begin; y < strip.end; ++y) advance(y, y - 1, states);
 }
 
 ImagePlane<float> Matcher::match() {
@@ -187,8 +181,9 @@ ImagePlane<float> Matcher::match() {
   for (std::size_t i = strips_.size(); i-- > 0;) {
     load(strips_[i]);
     aggregate_down(strips_[i], at_begin[i]);
-    aggregate_up(strips_[i], from_below);
-    for (int y = strips_[i].begin; y < strips_[i].end; ++y) {
+    for (int y = strips_[i].end - 1; y >= strips_[i].begin; --y) {
+      aggregate_along(row(y), penalties_);
+      advance(y, y + 1, from_below);
       selection.select(row(y), y, result.row(y));
     }
   }

@@ -110,19 +110,17 @@ RectifiedImages rectified_images(const Pair& pair,
 /// Disparity between pixels of one surface; NaN elsewhere.
 float sample(const ImagePlane<float>& disparity, double u, double v) {
   constexpr float kSameSurfacePx = 1.0F;
-  const int x = static_cast<int>(std::floor(u));
-  const int y = static_cast<int>(std::floor(v));
-  if (!disparity.contains(x, y) || !disparity.contains(x + 1, y + 1)) {
-    return std::numeric_limits<float>::quiet_NaN();
-  }
+  constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
+  if (!(u >= 0.0 && v >= 0.0 && u < disparity.width && v < disparity.height)) return kNothing;
+  const int x = floor_to_int(u);
+  const int y = floor_to_int(v);
+  if (!disparity.contains(x + 1, y + 1)) return kNothing;
   const float a = disparity.at(x, y);
   const float b = disparity.at(x + 1, y);
   const float c = disparity.at(x, y + 1);
   const float d = disparity.at(x + 1, y + 1);
   const auto [low, high] = std::minmax({a, b, c, d});
-  if (!(high - low <= kSameSurfacePx) || std::isnan(a + b + c + d)) {
-    return std::numeric_limits<float>::quiet_NaN();
-  }
+  if (!(high - low <= kSameSurfacePx) || std::isnan(a + b + c + d)) return kNothing;
   const auto s = static_cast<float>(u - x);
   const auto t = static_cast<float>(v - y);
   return (1 - t) * ((1 - s) * a + s * b) + t * ((1 - s) * c + s * d);
@@ -144,9 +142,11 @@ PairDepths pair_depths(const DepthMap& map,
                     .sigma_m = {width, height}};
   const Eigen::Matrix3d rectified_from_camera =
       (geometry.enu_from_rectified.conjugate() * map.enu_from_camera.rotation).toRotationMatrix();
+  const Eigen::Vector3d column_step = rectified_from_camera.col(0) / map.grid.focal_px;
   for (int y = 0; y < height; ++y) {
+    const Eigen::Vector3d row_begin = rectified_from_camera * ray_of(map.grid, {0, y});
     for (int x = 0; x < width; ++x) {
-      const Eigen::Vector3d ray = rectified_from_camera * ray_of(map.grid, {x, y});
+      const Eigen::Vector3d ray = row_begin + x * column_step;
       if (!(ray.z() > 0.0)) continue;
       const Eigen::Vector2d pixel = pixel_of(geometry.left, ray);
       const float k = sample(disparity, pixel.x(), pixel.y());
