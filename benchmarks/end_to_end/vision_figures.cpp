@@ -162,6 +162,7 @@ class CheckPoints {
       const double error = std::abs(depth - p.z());
       if (error < 0.01 * p.z()) ++within_;
       errors_gsd_.push_back(error * map.grid.focal_px / p.z());
+      gsd_m_.push_back(p.z() / map.grid.focal_px);
     }
   }
 
@@ -170,6 +171,7 @@ class CheckPoints {
   [[nodiscard]] Json figures() {
     if (errors_gsd_.empty()) return nullptr;
     std::ranges::sort(errors_gsd_);
+    std::ranges::sort(gsd_m_);
     const auto share = [](std::size_t a, std::size_t b) {
       return static_cast<double>(a) / static_cast<double>(b);
     };
@@ -181,6 +183,7 @@ class CheckPoints {
                                             errors_gsd_.begin()),
                    count_)},
             {"within_1_percent_of_those_with_depth", share(within_, errors_gsd_.size())},
+            {"gsd_m", gsd_m_[gsd_m_.size() / 2]},
             {"median_gsd", errors_gsd_[errors_gsd_.size() / 2]},
             {"p90_gsd", errors_gsd_[errors_gsd_.size() * 9 / 10]}};
   }
@@ -192,6 +195,7 @@ class CheckPoints {
   std::size_t count_ = 0;
   std::size_t within_ = 0;
   std::vector<double> errors_gsd_ = {};
+  std::vector<double> gsd_m_ = {};
 };
 
 Expected<Json> dense_figures(const PhotoFolder& folder,
