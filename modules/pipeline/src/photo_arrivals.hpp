@@ -31,7 +31,7 @@ class PhotoArrivals {
   using Clock = std::chrono::steady_clock;
 
   explicit PhotoArrivals(std::filesystem::path folder,
-                         double settle_s = 0.3,
+                         double settle_s = 0.05,
                          double give_up_s = 5.0);
 
   /// @param now  Of this look; never before that of the last.

@@ -23,7 +23,7 @@ namespace {
 
 using Clock = PhotoArrivals::Clock;
 
-constexpr std::chrono::milliseconds kLookEvery{100};
+constexpr std::chrono::milliseconds kLookEvery{25};
 constexpr std::size_t kPreparedAhead = 2;
 
 double seconds_between(Clock::time_point from, Clock::time_point to) {

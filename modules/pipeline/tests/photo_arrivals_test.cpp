@@ -54,8 +54,8 @@ TEST_F(PhotoArrivalsTest, AFileHasArrivedWhenItStaysTheSame) {
   put("notes.txt", "no photo");
   EXPECT_TRUE(look_after(100ms).empty());
   EXPECT_TRUE(arrivals_.expects_more());
-  EXPECT_TRUE(look_after(100ms).empty());
-  const auto arrived = look_after(300ms);
+  EXPECT_TRUE(look_after(40ms).empty());
+  const auto arrived = look_after(40ms);
   ASSERT_EQ(arrived.size(), 1U);
   ASSERT_TRUE(arrived[0].photo) << arrived[0].reason;
   EXPECT_EQ(arrived[0].photo->metadata.name, "a.JPG");
