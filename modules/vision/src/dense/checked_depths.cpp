@@ -72,7 +72,6 @@ Expected<StereoStage> match_all(std::span<const Photo> photos,
     const std::uint32_t v = views[i];
     if (images.get(v)) {
       StereoDepthResult result = stereo_depth(reconstruction, v, images, options, device.get());
-      erode_depth_edges(result.map, options.check.edge_step, options.check.edge_margin_px);
       medians[v] = median_depth_m(result.map);
       refusals[v] = std::move(result.refusals);
       auto stored = stage.maps->put(v, std::move(result.map));

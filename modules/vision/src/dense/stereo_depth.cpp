@@ -1,5 +1,6 @@
 #include "stereo_depth.hpp"
 
+#include "sky_fringe.hpp"
 #include "stereo_matcher.hpp"
 
 #include <algorithm>
@@ -257,6 +258,8 @@ StereoDepthResult stereo_depth(const Reconstruction& reconstruction,
     ++result.num_pairs;
   }
   merge_pairs(pairs, result.map);
+  erode_depth_edges(result.map, options.check.edge_step, options.check.edge_margin_px);
+  drop_sky_fringe(result.map, options.stereo.min_texture_grey, options.check.sky_reach_px);
   return result;
 }
 

@@ -19,7 +19,8 @@ struct StereoDepthResult {
   std::vector<std::string> refusals = {};  ///< One for each pair left out.
 };
 
-/// Matches a photo with each of its partners and merges the depths on the photo's own grid.
+/// Matches a photo with each of its partners, merges the depths on the photo's own grid and drops
+/// those at depth steps and of the sky.
 /// @param device  Matches instead of the CPU; may be null.
 /// @param images  Those of the photo and its partners are used. @pre the photo itself can be
 /// decoded

@@ -63,7 +63,6 @@ std::optional<PhotoPoints> LiveDepth::points_of(const Reconstruction& reconstruc
   WorkImages images(photos_, reconstruction, options_.max_size_px, std::size_t{64} << 20U);
   if (!images.get(view)) return std::nullopt;
   DepthMap map = stereo_depth(reconstruction, view, images, options_, device_.get()).map;
-  erode_depth_edges(map, options_.check.edge_step, options_.check.edge_margin_px);
   const double median_m = median_depth_m(map);
   if (std::isnan(median_m)) return std::nullopt;  // no depths, or next to none
   focal_px_ = map.grid.focal_px;

@@ -125,6 +125,7 @@ struct DepthCheckOptions {
   int trusted_views = 2;
   double edge_step = 0.02;
   int edge_margin_px = 2;
+  int sky_reach_px = 16;
 };
 
 template <>
@@ -184,6 +185,14 @@ struct OptionFields<DepthCheckOptions> {
            .max = 20,
            .doc = "Depths this near to an edge are dropped: the matching window mixes both sides.",
            .source = "ours"}},
+      Field{&T::sky_reach_px,
+            {.key = "sky_reach_px",
+             .unit = "px",
+             .min = 0,
+             .max = 200,
+             .doc = "Pixels this near to the sky that have its colour get no depth; 0: all keep "
+                    "theirs. Photos without a horizon have no sky.",
+             .source = "ours"}},
   };
 };
 
