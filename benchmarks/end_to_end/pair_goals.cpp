@@ -73,6 +73,28 @@ void share_row(std::string_view goal, const Answers& answers, double least) {
   row(goal, answers.size(), fmt::format("{:.1f} %", 100.0 * share), share >= least);
 }
 
+/// CPU seconds as shares of those of a peer in the same run, pair by pair; no row without the peer.
+void speed_row(const std::vector<Outcome>& outcomes,
+               const std::string& method,
+               std::string_view peer) {
+  std::vector<double> shares;
+  for (const Outcome& ours : outcomes) {
+    if (ours.method != method || method == peer) continue;
+    const auto theirs = std::ranges::find_if(outcomes, [&](const Outcome& o) {
+      return o.method == peer && o.group == ours.group && o.seed == ours.seed;
+    });
+    if (theirs != outcomes.end() && theirs->cpu_s > 0.0) {
+      shares.push_back(ours.cpu_s / theirs->cpu_s);
+    }
+  }
+  if (shares.empty()) return;
+  const double most = std::ranges::max(shares);
+  row(fmt::format("CPU of {}'s on the same pair: at most 1 (median / most)", peer),
+      shares.size(),
+      fmt::format("{} / {:.2f}", figure(shares, 0.5, 2), most),
+      most <= 1.0);
+}
+
 }  // namespace
 
 void print_goals(const std::vector<Outcome>& outcomes, const std::string& method) {
@@ -116,6 +138,7 @@ void print_goals(const std::vector<Outcome>& outcomes, const std::string& method
     return std::abs(o.errors.vertical_m);
   });
   error_row("CPU: 5 s", clean, 0.0, 5.0, [](const Outcome& o) { return o.cpu_s; });
+  speed_row(outcomes, method, "gicp");
 }
 
 }  // namespace hybridfusion::benchmark
