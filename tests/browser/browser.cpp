@@ -45,7 +45,9 @@ std::optional<std::string> Browser::program() {
 }
 
 Browser::Browser(const std::filesystem::path& profile, bool webgl) : profile_(profile) {
-  std::vector<std::string> arguments = {*program(),
+  std::vector<std::string> arguments = {"/usr/bin/env",  // its sockets go with the profile
+                                        "TMPDIR=" + profile.string(),
+                                        *program(),
                                         "--headless=new",
                                         "--no-sandbox",  // tests run as root in containers
                                         "--disable-dev-shm-usage",
