@@ -5,19 +5,26 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace hybridfusion {
 
 namespace {
 
-/// Points that a sensor saw: all where the cloud does not say.
-std::vector<std::size_t> measured_points(const PointCloud& cloud) {
-  std::vector<std::size_t> measured;
+/// Points by whether a sensor saw them; both empty where the cloud does not say.
+struct PointsByOrigin {
+  std::vector<std::size_t> measured = {};
+  std::vector<std::size_t> interpolated = {};
+};
+
+PointsByOrigin points_by_origin(const PointCloud& cloud) {
+  PointsByOrigin points;
   for (std::size_t i = 0; i < cloud.sources.size(); ++i) {
-    if (cloud.sources[i] != PointSource::kInterpolated) measured.push_back(i);
+    const bool is_interpolated = cloud.sources[i] == PointSource::kInterpolated;
+    (is_interpolated ? points.interpolated : points.measured).push_back(i);
   }
-  return measured;
+  return points;
 }
 
 }  // namespace
@@ -48,10 +55,16 @@ Expected<void> compare_clouds(const Workspace& workspace,
     if (!workspace.has(file) || alignments.empty()) return {};
     HF_TRY(const PointCloud cloud, read_ply(workspace.path(file)));
     if (auto step = compare_cloud(name, cloud, view, alignments); !step) return step;
-    const std::vector<std::size_t> measured = measured_points(cloud);
-    if (measured.empty() || measured.size() == cloud.size()) return {};
-    const std::string measured_name = std::string(name).append("_measured");
-    return compare_cloud(measured_name, select(cloud, measured), view, alignments);
+    const PointsByOrigin points = points_by_origin(cloud);
+    if (points.measured.empty() || points.interpolated.empty()) return {};
+    for (const auto& [suffix, part] : {std::pair("_measured", &points.measured),
+                                       std::pair("_interpolated", &points.interpolated)}) {
+      const std::string part_name = std::string(name).append(suffix);
+      if (auto step = compare_cloud(part_name, select(cloud, *part), view, alignments); !step) {
+        return step;
+      }
+    }
+    return {};
   };
   std::vector<CloudAlignment> vision;
   std::vector<CloudAlignment> fused;

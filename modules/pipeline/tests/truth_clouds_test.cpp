@@ -66,6 +66,7 @@ TEST_F(TruthClouds, InterpolatedPointsCountInTheFusedCloudAndNotInTheMeasuredOne
   EXPECT_GT(complete("fused"), 0.95);
   EXPECT_LT(complete("fused_measured"), 0.6);
   EXPECT_EQ(clouds.at("fused_measured").at("num_points"), 49);
+  EXPECT_EQ(clouds.at("fused_interpolated").at("num_points"), 441);
 }
 
 TEST_F(TruthClouds, ACloudOfMeasuredPointsAloneIsReportedOnce) {
@@ -73,6 +74,7 @@ TEST_F(TruthClouds, ACloudOfMeasuredPointsAloneIsReportedOnce) {
   const Json clouds = compared();
   EXPECT_TRUE(clouds.contains("fused"));
   EXPECT_FALSE(clouds.contains("fused_measured"));
+  EXPECT_FALSE(clouds.contains("fused_interpolated"));
 }
 
 }  // namespace
