@@ -72,8 +72,8 @@ std::vector<Pixel> find_sky(const DepthMap& map, double min_grey, ImagePlane<std
       if (may_be_sky(x, y) && at_border(map, {x, y})) take({x, y});
     }
   }
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    const Pixel from = found[i];
+  for (std::size_t next = 0; next < found.size();) {
+    const Pixel from = found[next++];
     for (const Pixel side : kSides) {
       const Pixel to{from.x + side.x, from.y + side.y};
       if (may_be_sky(to.x, to.y)) take(to);
