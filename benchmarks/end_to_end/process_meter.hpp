@@ -1,9 +1,10 @@
 #pragma once
 
+#include <hybridfusion/core/memory.hpp>
+
 #include <fstream>
 #include <string>
 
-#include <malloc.h>
 #include <sys/resource.h>
 
 namespace hybridfusion::benchmark {
@@ -22,7 +23,7 @@ inline double cpu_seconds() {
 class MemoryMeter {
  public:
   MemoryMeter() {
-    malloc_trim(0);  // what earlier work freed would hide what this one takes
+    return_freed_memory();  // what earlier work freed would hide what this one takes
     std::ofstream("/proc/self/clear_refs") << "5";  // the peak starts again at the present value
     before_kb_ = field_kb("VmRSS:");
   }

@@ -1,9 +1,10 @@
 #include "stage_meter.hpp"
 
+#include <hybridfusion/core/memory.hpp>
+
 #include <fstream>
 #include <string>
 
-#include <malloc.h>
 #include <sys/resource.h>
 
 namespace hybridfusion {
@@ -33,9 +34,7 @@ double peak_memory_mib() {
 }  // namespace
 
 StageMeter::StageMeter() : start_(std::chrono::steady_clock::now()), start_cpu_s_(process_cpu_s()) {
-#ifdef __GLIBC__
-  malloc_trim(0);  // what the stage before freed is not this one's memory
-#endif
+  return_freed_memory();  // what the stage before freed is not this one's memory
   std::ofstream("/proc/self/clear_refs") << "5";  // resets VmHWM; harmless where it is refused
 }
 

@@ -130,9 +130,8 @@ std::vector<std::size_t> without_specks(const std::vector<SheetPoint>& points) {
   return kept;
 }
 
-}  // namespace
-
-PointCloud one_sheet(PointCloud cloud, const RunContext& ctx) {
+/// Every point on its sheet; the normals of the cloud turn into those of the sheets.
+std::vector<SheetPoint> sheet_points(PointCloud& cloud, const RunContext& ctx) {
   const KdTree tree(cloud.points);
   std::vector<SheetPoint> points(cloud.size());
   parallel_for(ctx, cloud.size(), 4096, [&](std::size_t begin, std::size_t end) {
@@ -142,6 +141,13 @@ PointCloud one_sheet(PointCloud cloud, const RunContext& ctx) {
       points[i] = on_sheet(cloud, i, neighbors, cloud.normals[i]);
     }
   });
+  return points;
+}
+
+}  // namespace
+
+PointCloud one_sheet(PointCloud cloud, const RunContext& ctx) {
+  const std::vector<SheetPoint> points = sheet_points(cloud, ctx);
   for (std::size_t i = 0; i < points.size(); ++i) {
     cloud.points[i] = points[i].point;
     cloud.sigmas_m[i] = points[i].sigma_m;

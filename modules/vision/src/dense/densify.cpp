@@ -1,6 +1,7 @@
 #include "checked_depths.hpp"
 #include "depth_fusion.hpp"
 
+#include <hybridfusion/core/memory.hpp>
 #include <hybridfusion/vision/densify.hpp>
 
 #include <algorithm>
@@ -39,10 +40,12 @@ Expected<PointCloud> densify_registered(std::span<const Photo> photos,
   if (!(voxel_m > 0.0)) {
     return fail(ErrorCode::kInsufficient, "no scene point lies in front of a registered photo");
   }
+  return_freed_memory();  // features and matches are gone by now
   DepthFusion fusion(voxel_m);
   const auto done = checked_depths(
       photos, reconstruction, options, ctx, scratch, [&](const DepthMap& map) { fusion.add(map); });
   if (!done) return std::unexpected(done.error());
+  return_freed_memory();  // and now photos and depth maps
   PointCloud cloud = fusion.finish(options.min_points_per_voxel, ctx);
   if (cloud.empty()) {
     return fail(ErrorCode::kInsufficient, "no depth is confirmed by a second photo");

@@ -69,6 +69,7 @@ void DepthFusion::add(const DepthMap& map) {
 }
 
 PointCloud DepthFusion::finish(int min_depths, const RunContext& ctx) {
+  voxels_.close();
   PointCloud cloud = cloud_of(voxels_, voxel_m_, min_depths);
   voxels_ = {};  // as large as the cloud
   return one_sheet(std::move(cloud), ctx);

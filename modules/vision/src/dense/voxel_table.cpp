@@ -1,5 +1,7 @@
 #include "voxel_table.hpp"
 
+#include <hybridfusion/core/error.hpp>
+
 #include <algorithm>
 #include <bit>
 
@@ -27,7 +29,13 @@ void VoxelTable::grow() {
   }
 }
 
+void VoxelTable::close() {
+  slots_ = {};
+  is_closed_ = true;
+}
+
 VoxelSums& VoxelTable::operator[](std::uint64_t key) {
+  HF_CHECK(!is_closed_);
   if (2 * size_ >= slots_.size()) grow();
   const std::size_t slot = slot_of(key);
   if (slots_[slot] == kEmpty) {

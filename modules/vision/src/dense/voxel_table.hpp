@@ -25,6 +25,9 @@ struct VoxelSums {
 class VoxelTable {
  public:
   [[nodiscard]] VoxelSums& operator[](std::uint64_t key);
+  /// Frees what operator[] alone needs, a fifth of the memory. After it the sums can only be
+  /// visited.
+  void close();
   [[nodiscard]] std::size_t size() const { return size_; }
   template <class Visit>
   void for_each(Visit&& visit) const {
@@ -45,6 +48,7 @@ class VoxelTable {
   std::vector<std::unique_ptr<Block>> blocks_ = {};
   std::vector<std::uint32_t> slots_ = {};  // a power of two
   std::size_t size_ = 0;
+  bool is_closed_ = false;
 };
 
 }  // namespace hybridfusion
