@@ -77,19 +77,32 @@ double surface_factor(const Evidence& e, const VerdictOptions& o) {
   return e.has_fine ? 0.0 : 0.6;
 }
 
-/// The place among others: its outlines stand out, or its surfaces do.
+/// The place among others: its outlines stand out and no surfaces contradict them, or its surfaces
+/// do. Right places whose surfaces were compared have a support of 0.6 or more.
 double place_factor(const Evidence& e, const VerdictOptions& o) {
   const double by_outlines = ramp(peak_ratio(e), o.max_peak_ratio, o.doubtful_peak_ratio);
-  if (!e.surfaces_compared || e.facade_support <= 0.0) return by_outlines;
+  if (!e.surfaces_compared || by_outlines >= 1.0) return by_outlines;
+  const double unopposed =
+      by_outlines * ramp(e.facade_support, 0.5 * o.min_facade_support, 0.8 * o.min_facade_support);
+  if (e.facade_support <= 0.0) return unopposed;
   const double ratio = e.rival_support / e.facade_support;
-  return std::max(by_outlines,
+  return std::max(unopposed,
                   support_factor(e, o) * ramp(ratio, o.max_peak_ratio, o.doubtful_peak_ratio));
+}
+
+/// Few patches are no majority; that not one of them met anything is a doubt.
+double vote_factor(const Evidence& e, const VerdictOptions& o) {
+  constexpr std::size_t kMinVoters = 6;
+  constexpr double kNoVoter = 0.8;
+  if (o.min_patch_share == 0.0) return 1.0;
+  if (e.has_fine && e.patches_tried == 0) return kNoVoter;
+  if (e.patches_tried < kMinVoters) return 1.0;
+  return ramp(e.patch_share, o.min_patch_share, 2.0 * o.min_patch_share);
 }
 
 /// The place among others, its surfaces, and the votes of patches.
 std::vector<Factor> weigh(const Evidence& e, const VerdictOptions& o) {
   constexpr double kDeg = 57.29577951308232;
-  constexpr std::size_t kMinVoters = 6;
   const double ratio = peak_ratio(e);
   std::vector<Factor> factors{
       {ramp(e.best.facade_weight_on_edges, o.min_facade_weight, 2.4 * o.min_facade_weight),
@@ -117,9 +130,7 @@ std::vector<Factor> weigh(const Evidence& e, const VerdictOptions& o) {
                    kDeg * e.ridge.bearing_rad,
                    e.ridge.ratio,
                    o.max_ridge_ratio)},
-      {e.patches_tried < kMinVoters || o.min_patch_share == 0.0
-           ? 1.0
-           : ramp(e.patch_share, o.min_patch_share, 2.0 * o.min_patch_share),
+      {vote_factor(e, o),
        fmt::format("registered alone, only {:.2f} of {} patches stay at the pose (limit {:.2f})",
                    e.patch_share,
                    e.patches_tried,

@@ -56,7 +56,9 @@ Evidence good_evidence() {
           .ground_inliers = 1000,
           .linear_share = 0.5,
           .has_fine = true,
-          .fine_agrees = true};
+          .fine_agrees = true,
+          .patches_tried = 20,
+          .patch_share = 1.0};
 }
 
 RegistrationResult verdict_on(const Evidence& evidence) {
@@ -91,6 +93,28 @@ TEST(Pronounce, SurfacesThatDecideNothingTakeNothingFromAPlaceThatStandsOut) {
   e.facade_support = 0.1;
   EXPECT_EQ(verdict_on(e).status, RegistrationStatus::kOk);
   EXPECT_EQ(verdict_on(e).confidence, 1.0);
+}
+
+TEST(Pronounce, RefusesADoubtfulPlaceWhoseFacadesLieOnNoSurface) {
+  Evidence e = good_evidence();
+  e.second_score = 0.79 * e.best_score;
+  EXPECT_EQ(verdict_on(e).status, RegistrationStatus::kOk) << verdict_on(e).reason;
+  e.surfaces_compared = true;  // the photos show facades there
+  e.facade_support = 0.004;
+  e.rival_support = 0.001;
+  EXPECT_EQ(verdict_on(e).status, RegistrationStatus::kRefused);
+  EXPECT_NE(verdict_on(e).reason.find("ambiguous"), std::string::npos);
+}
+
+TEST(Pronounce, DoubtsAPoseOfWhichNoPatchKnows) {
+  Evidence e = good_evidence();
+  e.has_fine = true;
+  e.patches_tried = 3;  // too few for a vote
+  EXPECT_EQ(verdict_on(e).confidence, 1.0);
+  e.patches_tried = 0;
+  EXPECT_LT(verdict_on(e).confidence, 0.9);
+  e.second_score = 0.79 * e.best_score;
+  EXPECT_EQ(verdict_on(e).status, RegistrationStatus::kRefused);
 }
 
 TEST(Pronounce, BelievesSurfacesThatLeadAsideOnlyWhereFacadesAreSupported) {
