@@ -36,7 +36,7 @@ void VoxelTable::close() {
 
 VoxelSums& VoxelTable::operator[](std::uint64_t key) {
   HF_CHECK(!is_closed_);
-  if (2 * size_ >= slots_.size()) grow();
+  if (4 * size_ >= 3 * slots_.size()) grow();
   const std::size_t slot = slot_of(key);
   if (slots_[slot] == kEmpty) {
     if (size_ == blocks_.size() * kBlockSize) blocks_.push_back(std::make_unique<Block>());
