@@ -27,6 +27,37 @@ PointsByOrigin points_by_origin(const PointCloud& cloud) {
   return points;
 }
 
+/// Ways in which each cloud of the workspace is put on its true place.
+struct AlignmentsOfClouds {
+  std::vector<CloudAlignment> vision = {};
+  std::vector<CloudAlignment> lidar = {};
+  std::vector<CloudAlignment> fused = {};
+};
+
+AlignmentsOfClouds alignments_of_clouds(const TruthAlignments& known) {
+  const auto sim = [](const Rigid3& rigid) {
+    return Sim3{.rotation = rigid.rotation, .translation = rigid.translation};
+  };
+  AlignmentsOfClouds by;
+  if (known.truth_from_vision) {
+    const Sim3 vision_from_fused = known.fused_from_vision.value_or(Sim3{}).inverse();
+    by.vision.push_back({"similarity", *known.truth_from_vision});
+    by.fused.push_back({"similarity", *known.truth_from_vision * vision_from_fused});
+  }
+  if (known.truth_from_vision_rigid) {
+    by.vision.push_back({"rigid", sim(*known.truth_from_vision_rigid)});
+  }
+  if (known.truth_from_vision_absolute) {
+    by.vision.push_back({"absolute", sim(*known.truth_from_vision_absolute)});
+    by.fused.push_back({"absolute", sim(*known.truth_from_vision_absolute)});
+  }
+  if (known.truth_from_map) by.lidar.push_back({"rigid", sim(*known.truth_from_map)});
+  if (known.truth_from_map_absolute) {
+    by.lidar.push_back({"absolute", sim(*known.truth_from_map_absolute)});
+  }
+  return by;
+}
+
 }  // namespace
 
 Expected<void> compare_clouds(const Workspace& workspace,
@@ -36,9 +67,6 @@ Expected<void> compare_clouds(const Workspace& workspace,
                               const RunContext& ctx,
                               TruthMetrics& metrics) {
   HF_TRY(const CloudTruth truth, load_cloud_truth(truth_folder));
-  const auto sim = [](const Rigid3& rigid) {
-    return Sim3{.rotation = rigid.rotation, .translation = rigid.translation};
-  };
   const auto compare_cloud = [&](std::string_view name,
                                  const PointCloud& cloud,
                                  SampleView view,
@@ -66,33 +94,14 @@ Expected<void> compare_clouds(const Workspace& workspace,
     }
     return {};
   };
-  std::vector<CloudAlignment> vision;
-  std::vector<CloudAlignment> fused;
-  const Sim3 vision_from_fused = known.fused_from_vision.value_or(Sim3{}).inverse();
-  const auto add = [&](std::string_view name, const Sim3& truth_from_vision) {
-    vision.push_back({name, truth_from_vision});
-    fused.push_back({name, truth_from_vision * vision_from_fused});
-  };
-  if (known.truth_from_vision) add("similarity", *known.truth_from_vision);
-  if (known.truth_from_vision_rigid) {
-    vision.push_back({"rigid", sim(*known.truth_from_vision_rigid)});
-  }
-  if (known.truth_from_vision_absolute) {
-    vision.push_back({"absolute", sim(*known.truth_from_vision_absolute)});
-    fused.push_back({"absolute", sim(*known.truth_from_vision_absolute)});
-  }
-  std::vector<CloudAlignment> lidar;
-  if (known.truth_from_map) lidar.push_back({"rigid", sim(*known.truth_from_map)});
-  if (known.truth_from_map_absolute) {
-    lidar.push_back({"absolute", sim(*known.truth_from_map_absolute)});
-  }
-  if (auto step = compare("vision", workspace_file::kDense, SampleView::kDrone, vision); !step) {
+  const AlignmentsOfClouds by = alignments_of_clouds(known);
+  if (auto step = compare("vision", workspace_file::kDense, SampleView::kDrone, by.vision); !step) {
     return step;
   }
-  if (auto step = compare("lidar", workspace_file::kMap, SampleView::kVehicle, lidar); !step) {
+  if (auto step = compare("lidar", workspace_file::kMap, SampleView::kVehicle, by.lidar); !step) {
     return step;
   }
-  return compare("fused", workspace_file::kFusedPly, SampleView::kEither, fused);
+  return compare("fused", workspace_file::kFusedPly, SampleView::kEither, by.fused);
 }
 
 }  // namespace hybridfusion
