@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <utility>
 
@@ -155,7 +156,10 @@ void write_json(const std::vector<Outcome>& outcomes, const std::string& path) {
                     {"reason", o.reason},
                     {"scores", scores}});
   }
-  std::ofstream(path) << rows.dump(1) << '\n';
+  // Renamed when whole: a run that is stopped while it writes keeps the scenes before.
+  const std::string unfinished = path + ".part";
+  std::ofstream(unfinished) << rows.dump(1) << '\n';
+  std::filesystem::rename(unfinished, path);
 }
 
 }  // namespace hybridfusion::benchmark

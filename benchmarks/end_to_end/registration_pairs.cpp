@@ -11,8 +11,10 @@
 #include <cmath>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -30,6 +32,7 @@ struct Settings {
   std::string json = {};
   std::string from_json = {};
   int threads = 1;
+  bool resume = false;
   bool strict = false;  ///< Anything but right answers and due refusals is an error.
 };
 
@@ -161,12 +164,34 @@ int tabulate(const std::string& path, const std::vector<std::string>& methods) {
   return 0;
 }
 
+/// The outcomes of a run that was stopped: whole scenes, because the file is written after each.
+Expected<std::vector<Outcome>> finished_scenes(const Settings& settings) {
+  if (!settings.resume || !std::filesystem::exists(settings.json)) return std::vector<Outcome>{};
+  auto outcomes = read_json(settings.json);
+  if (!outcomes) return outcomes;
+  for (const Outcome& o : *outcomes) {
+    if (std::ranges::find(settings.methods, o.method) == settings.methods.end()) {
+      return fail(ErrorCode::kInvalidOptions,
+                  fmt::format("{} holds outcomes of {}: give the methods of the run it is of",
+                              settings.json,
+                              o.method));
+    }
+  }
+  return outcomes;
+}
+
 int run(const Settings& settings) {
   if (!settings.from_json.empty()) return tabulate(settings.from_json, settings.methods);
-  std::vector<Outcome> outcomes;
+  auto finished = finished_scenes(settings);
+  if (!finished) {
+    fmt::print(stderr, "{}\n", finished.error().message);
+    return 1;
+  }
+  std::vector<Outcome> outcomes = std::move(*finished);
   // Six groups must be refused, fourteen not: about as many pairs of either kind.
   for (int i = 0; i < 2 * settings.scenes; ++i) {
     const std::uint64_t seed = settings.first_seed + static_cast<std::uint64_t>(i);
+    if (std::ranges::find(outcomes, seed, &Outcome::seed) != outcomes.end()) continue;
     if (!run_seed(seed, i >= settings.scenes, settings, outcomes)) return 1;
     // After every scene: a long run that is stopped keeps what it has.
     if (!settings.json.empty()) write_json(outcomes, settings.json);
@@ -198,7 +223,11 @@ int main(int argc, char** argv) try {
   app.add_option("--only", settings.only, "Groups to run")->delimiter(',');
   app.add_flag("--strict", settings.strict, "Exit 1 unless every answer is right or a due refusal");
   app.add_option("--set", settings.set, "Option of every registration, key=value");
-  app.add_option("--json", settings.json, "File for every single outcome");
+  auto* json = app.add_option("--json", settings.json, "File for every single outcome");
+  app.add_flag("--resume",
+               settings.resume,
+               "Leave out the scenes that the file of --json holds from a run that was stopped")
+      ->needs(json);
   app.add_option("--from-json",
                  settings.from_json,
                  "Register nothing: the tables of the outcomes in this file");

@@ -39,9 +39,9 @@ VoxelSums& VoxelTable::operator[](std::uint64_t key) {
   if (4 * size_ >= 3 * slots_.size()) grow();
   const std::size_t slot = slot_of(key);
   if (slots_[slot] == kEmpty) {
-    if (size_ == blocks_.size() * kBlockSize) blocks_.push_back(std::make_unique<Block>());
+    if (size_ == blocks_.size() * kBlockSize) blocks_.emplace_back().reserve(kBlockSize);
     slots_[slot] = static_cast<std::uint32_t>(size_);
-    entry(size_).key = key;
+    blocks_.back().push_back({.key = key});
     ++size_;
   }
   return entry(slots_[slot]);

@@ -1,9 +1,7 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 #include <Eigen/Core>
@@ -35,18 +33,20 @@ class VoxelTable {
   }
 
  private:
-  static constexpr std::size_t kBlockSize = 1U << 14U;
+  // Larger than what glibc's allocator ever takes from its heap (32 MiB): between the voxels, which
+  // stay, it would keep the freed memory of photos and maps. Pages not yet used take none.
+  static constexpr std::size_t kBlockSize = 1U << 20U;
   static constexpr std::uint32_t kEmpty = 0xffffffffU;
-  using Block = std::array<VoxelSums, kBlockSize>;
 
-  [[nodiscard]] VoxelSums& entry(std::size_t i) const {
-    return (*blocks_[i / kBlockSize])[i % kBlockSize];
+  [[nodiscard]] VoxelSums& entry(std::size_t i) { return blocks_[i / kBlockSize][i % kBlockSize]; }
+  [[nodiscard]] const VoxelSums& entry(std::size_t i) const {
+    return blocks_[i / kBlockSize][i % kBlockSize];
   }
   [[nodiscard]] std::size_t slot_of(std::uint64_t key) const;
   void grow();
 
-  std::vector<std::unique_ptr<Block>> blocks_ = {};
-  std::vector<std::uint32_t> slots_ = {};  // a power of two
+  std::vector<std::vector<VoxelSums>> blocks_ = {};  // each with room for kBlockSize
+  std::vector<std::uint32_t> slots_ = {};            // a power of two
   std::size_t size_ = 0;
   bool is_closed_ = false;
 };
