@@ -1,4 +1,7 @@
+#include <hybridfusion/core/error.hpp>
 #include <hybridfusion/core/point_cloud.hpp>
+
+#include <algorithm>
 
 #include <fmt/format.h>
 
@@ -44,6 +47,20 @@ PointCloud select(const PointCloud& cloud, const std::vector<std::size_t>& indic
   return result;
 }
 
+void keep_flagged(PointCloud& cloud, const std::vector<char>& is_kept) {
+  HF_CHECK(is_kept.size() == cloud.size());
+  const auto compact = [&is_kept](auto& channel, const auto&) {
+    if (channel.empty()) return;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < is_kept.size(); ++i) {
+      if (is_kept[i] != 0) channel[count++] = channel[i];
+    }
+    channel.resize(count);
+  };
+  visit_channels(cloud, cloud, compact);
+  compact(cloud.points, cloud.points);
+}
+
 PointCloud concatenate(PointCloud a, const PointCloud& b) {
   if (a.empty()) return b;
   if (b.empty()) return a;
@@ -75,13 +92,12 @@ PointCloud transformed(const Rigid3& target_from_source, PointCloud cloud) {
 }
 
 std::size_t remove_non_finite(PointCloud& cloud) {
-  std::vector<std::size_t> finite;
-  finite.reserve(cloud.size());
-  for (std::size_t i = 0; i < cloud.size(); ++i) {
-    if (cloud.points[i].allFinite()) finite.push_back(i);
-  }
-  const std::size_t dropped = cloud.size() - finite.size();
-  if (dropped > 0) cloud = select(cloud, finite);
+  std::vector<char> is_finite(cloud.size());
+  std::ranges::transform(cloud.points, is_finite.begin(), [](const Eigen::Vector3f& p) {
+    return static_cast<char>(p.allFinite());
+  });
+  const auto dropped = static_cast<std::size_t>(std::ranges::count(is_finite, 0));
+  if (dropped > 0) keep_flagged(cloud, is_finite);
   return dropped;
 }
 

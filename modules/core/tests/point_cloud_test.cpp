@@ -25,6 +25,17 @@ TEST(PointCloud, SelectKeepsTheChannelsInTheGivenOrder) {
   EXPECT_TRUE(picked.normals.empty());
 }
 
+TEST(PointCloud, KeepFlaggedIsSelectInPlace) {
+  PointCloud cloud = concatenate(two_points(), two_points());
+  cloud.points[2] = {7, 8, 9};
+  const PointCloud selected = select(cloud, {1, 2});
+  keep_flagged(cloud, {0, 1, 1, 0});
+  EXPECT_EQ(cloud.points, selected.points);
+  EXPECT_EQ(cloud.colors, selected.colors);
+  EXPECT_EQ(cloud.sigmas_m, selected.sigmas_m);
+  EXPECT_TRUE(cloud.normals.empty());
+}
+
 TEST(PointCloud, ConcatenateKeepsOnlyChannelsOfBoth) {
   PointCloud plain;
   plain.points = {{7, 8, 9}};

@@ -119,11 +119,15 @@ Expected<StageResult> fuse_registered(const Project& project,
   const FusionStageOptions& options = project.options.fusion;
   const RegistrationResult& result = clouds.result;
   HF_TRY(const FusedFrame frame, fused_frame(result, companions, options, ctx));
-  HF_TRY(const PointCloud lidar,
+  HF_TRY(PointCloud lidar,
          without_drift(std::move(clouds.lidar), result.drift, clouds.sensor_positions, ctx));
-  HF_TRY(
-      const FuseResult fused,
-      fuse_clouds(clouds.vision, lidar, frame.from_lidar, frame.from_vision, options.clouds, ctx));
+  HF_TRY(const FuseResult fused,
+         fuse_clouds(std::move(clouds.vision),
+                     std::move(lidar),
+                     frame.from_lidar,
+                     frame.from_vision,
+                     options.clouds,
+                     ctx));
   if (auto written = write_fused(project.workspace, fused.cloud, companions.origin); !written) {
     return std::unexpected(written.error());
   }

@@ -39,7 +39,7 @@ Expected<StageResult> register_into(Project& project,
                                     const Companions& companions,
                                     const RunContext& ctx) {
   const Workspace& workspace = project.workspace;
-  HF_TRY(const PointCloud vision, read_point_cloud(inputs.vision));
+  HF_TRY(PointCloud vision, read_point_cloud(inputs.vision));
   HF_TRY(PointCloud lidar, read_point_cloud(inputs.lidar));
   for (const auto& [path, cloud] : {std::pair{&inputs.vision, &vision}, {&inputs.lidar, &lidar}}) {
     if (!cloud->empty()) continue;
@@ -67,7 +67,7 @@ Expected<StageResult> register_into(Project& project,
     HF_TRY(stage,
            fuse_registered(project,
                            companions,
-                           {.vision = vision,
+                           {.vision = std::move(vision),
                             .lidar = std::move(lidar),
                             .sensor_positions = known.sensor_positions,
                             .result = result},

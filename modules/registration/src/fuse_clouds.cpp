@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include <Eigen/Eigenvalues>
 
@@ -43,20 +45,28 @@ SurfaceGap surface_gap(const Eigen::Vector3f& point,
           .foot = foot.cast<float>()};
 }
 
-/// Takes out the points of `cloud` whose surface `other` shows better, but for those that fill a
+/// What becomes of the points of a cloud beside another.
+struct Doubles {
+  std::vector<char> is_kept = {};
+  std::vector<std::vector<std::pair<std::size_t, Eigen::Vector3f>>> moved = {};
+};
+
+/// Not kept are the points of `cloud` whose surface `other` shows better, but for those that fill a
 /// gap between its points: these move onto its surface.
-PointCloud without_doubles(const PointCloud& cloud,
-                           double cloud_sigma_m,
-                           const PointCloud& other,
-                           double other_sigma_m,
-                           const FuseOptions& options,
-                           const RunContext& ctx) {
+Doubles find_doubles(const PointCloud& cloud,
+                     double cloud_sigma_m,
+                     const PointCloud& other,
+                     double other_sigma_m,
+                     const FuseOptions& options,
+                     const RunContext& ctx) {
+  constexpr std::size_t kGrain = 2048;
   const KdTree tree(other.points);
   const auto wanted = static_cast<std::size_t>(options.min_neighbors);
   const auto limit = static_cast<float>(options.search_m * options.search_m);
-  std::vector<char> is_kept(cloud.size(), 1);
-  std::vector<Eigen::Vector3f> places = cloud.points;
-  parallel_for(ctx, cloud.size(), 2048, [&](std::size_t begin, std::size_t end) {
+  Doubles doubles;
+  doubles.is_kept.assign(cloud.size(), 1);
+  doubles.moved.resize((cloud.size() + kGrain - 1) / kGrain);
+  parallel_for(ctx, cloud.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     std::vector<Neighbor> members;
     for (std::size_t i = begin; i < end && !ctx.stopped(); ++i) {
       tree.nearest(cloud.points[i], 2 * wanted, members);
@@ -71,19 +81,23 @@ PointCloud without_doubles(const PointCloud& cloud,
       const SurfaceGap gap = surface_gap(cloud.points[i], other, members);
       if (gap.distance_m >= same_m) continue;
       if (gap.beside_m > options.fill_gap_m) {
-        places[i] = gap.foot;
+        doubles.moved[begin / kGrain].emplace_back(i, gap.foot);
       } else {
-        is_kept[i] = 0;
+        doubles.is_kept[i] = 0;
       }
     }
   });
-  std::vector<std::size_t> kept;
-  for (std::size_t i = 0; i < cloud.size(); ++i) {
-    if (is_kept[i] != 0) kept.push_back(i);
+  return doubles;
+}
+
+/// @returns how many points were taken out.
+std::size_t take_out(const Doubles& doubles, PointCloud& cloud) {
+  for (const auto& part : doubles.moved) {
+    for (const auto& [i, foot] : part) cloud.points[i] = foot;
   }
-  PointCloud result = select(cloud, kept);
-  for (std::size_t k = 0; k < kept.size(); ++k) result.points[k] = places[kept[k]];
-  return result;
+  const std::size_t before = cloud.size();
+  keep_flagged(cloud, doubles.is_kept);
+  return before - cloud.size();
 }
 
 /// LiDAR points take the colour of the nearest vision point: what the better positioned point shows
@@ -123,8 +137,8 @@ void harmonise(PointCloud& vision, PointCloud& lidar, const FuseOptions& options
 
 }  // namespace
 
-Expected<FuseResult> fuse_clouds(const PointCloud& vision,
-                                 const PointCloud& lidar,
+Expected<FuseResult> fuse_clouds(PointCloud vision,
+                                 PointCloud lidar,
                                  const Rigid3& vision_from_lidar,
                                  const std::optional<Sim3>& vision_rescale,
                                  const FuseOptions& options,
@@ -132,8 +146,9 @@ Expected<FuseResult> fuse_clouds(const PointCloud& vision,
   for (const auto& valid : {validate(options, "fuse"), validate(vision), validate(lidar)}) {
     if (!valid) return std::unexpected(valid.error());
   }
-  PointCloud a = vision_rescale ? transformed(*vision_rescale, vision) : vision;
-  PointCloud b = transformed(vision_from_lidar, lidar);
+  PointCloud a =
+      vision_rescale ? transformed(*vision_rescale, std::move(vision)) : std::move(vision);
+  PointCloud b = transformed(vision_from_lidar, std::move(lidar));
   remove_non_finite(a);
   remove_non_finite(b);
   borrow_colors(a, b, options.color_distance_m, ctx);
@@ -141,16 +156,15 @@ Expected<FuseResult> fuse_clouds(const PointCloud& vision,
   if (options.drop_duplicates && !a.empty() && !b.empty()) {
     const double sigma_a = options.default_vision_sigma_m;
     const double sigma_b = options.default_lidar_sigma_m;
-    PointCloud single_a = without_doubles(a, sigma_a, b, sigma_b, options, ctx);
-    PointCloud single_b = without_doubles(b, sigma_b, a, sigma_a, options, ctx);
+    const Doubles doubles_a = find_doubles(a, sigma_a, b, sigma_b, options, ctx);
+    const Doubles doubles_b = find_doubles(b, sigma_b, a, sigma_a, options, ctx);
     if (ctx.stopped()) return fail(ErrorCode::kCancelled, "stopped while merging the clouds");
-    result.vision_dropped = a.size() - single_a.size();
-    result.lidar_dropped = b.size() - single_b.size();
-    a = std::move(single_a);
-    b = std::move(single_b);
+    result.vision_dropped = take_out(doubles_a, a);
+    result.lidar_dropped = take_out(doubles_b, b);
   }
   harmonise(a, b, options);
   result.cloud = concatenate(std::move(a), b);
+  b = {};
   if (options.interpolation.enabled) {
     const PointCloud added = interpolate_gaps(result.cloud, options.interpolation, ctx);
     if (ctx.stopped()) return fail(ErrorCode::kCancelled, "stopped while filling gaps");

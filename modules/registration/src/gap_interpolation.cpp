@@ -1,4 +1,4 @@
-#include "local_surface.hpp"
+#include "gap_places.hpp"
 
 #include <hybridfusion/core/parallel.hpp>
 #include <hybridfusion/geometry/boundary.hpp>
@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <numbers>
 #include <optional>
-#include <tuple>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -18,35 +18,7 @@ namespace hybridfusion {
 namespace {
 
 constexpr std::size_t kGrain = 4096;
-constexpr int kDirections = 8;
-/// Places are tried up to that many spacings beside a point.
-constexpr int kSteps = 4;
 constexpr float kFullTurn = 2.0F * std::numbers::pi_v<float>;
-/// Cells have 21 bits an axis: farther points are left alone.
-constexpr int kMaxCell = (1 << 20) - 1;
-
-/// A free place on the plane of a measured point; one is kept a cell, the one nearest to its point.
-struct Place {
-  std::uint64_t cell = 0;
-  float step_m = 0.0F;
-  Eigen::Vector3f at = Eigen::Vector3f::Zero();
-};
-
-/// Leaves the element of the smallest `badness` in each cell, in the order of the cells.
-template <class T>
-void keep_best_in_cell(std::vector<T>& all, float T::* badness) {
-  std::ranges::sort(all, [&](const T& a, const T& b) {
-    if (a.cell != b.cell) return a.cell < b.cell;
-    return std::tuple(a.*badness, a.at.x(), a.at.y(), a.at.z()) <
-           std::tuple(b.*badness, b.at.x(), b.at.y(), b.at.z());
-  });
-  const auto doubles = std::ranges::unique(all, {}, &T::cell);
-  all.erase(doubles.begin(), doubles.end());
-}
-
-bool has_cell(const Eigen::Vector3f& point, double spacing_m) {
-  return static_cast<double>(point.cwiseAbs().maxCoeff()) < spacing_m * kMaxCell;
-}
 
 /// An interpolated point; one is kept a cell, the best surrounded.
 struct Filling {
@@ -57,33 +29,6 @@ struct Filling {
   std::uint32_t nearest = 0;  ///< Measured point.
   Rgb8 color = {};
 };
-
-/// Free places around measured point `i`, in rings on its plane.
-void add_places_around(const Measured& measured,
-                       std::size_t i,
-                       std::vector<Neighbor>& members,
-                       std::vector<Place>& places) {
-  const double spacing_m = measured.options.spacing_m;
-  const std::vector<Eigen::Vector3f>& points = measured.cloud.points;
-  const Eigen::Vector3f& centre = points[i];
-  if (!find_neighbors(measured, centre, members)) return;
-  const auto plane = local_plane(measured, members);
-  if (!plane) return;
-  for (int k = 0; k < kDirections; ++k) {
-    const double angle = 2.0 * std::numbers::pi * k / kDirections;
-    const Eigen::Vector3f direction =
-        (std::cos(angle) * plane->along + std::sin(angle) * plane->across).cast<float>();
-    for (int step = 1; step <= kSteps; ++step) {
-      const auto step_m = static_cast<float>(spacing_m * step);
-      const Eigen::Vector3f at = centre + step_m * direction;
-      const auto is_near = [&](const Neighbor& member) {
-        return (points[member.index] - at).squaredNorm() < measured.spacing_squared();
-      };
-      if (std::ranges::any_of(members, is_near) || !has_cell(at, spacing_m)) continue;
-      places.push_back({voxel_key(voxel_of(at, spacing_m)), step_m, at});
-    }
-  }
-}
 
 /// Widest sector around `foot` without a neighbour near the plane; a full turn for too few, and
 /// where one lies above or below it: there the surface is rough, but it has no gap.
@@ -162,52 +107,9 @@ std::optional<Filling> filling_at(const Measured& measured,
   return filling;
 }
 
-/// One point in each cell of one and a half spacings: others there would try the same places.
-std::vector<std::uint32_t> one_in_each_cell(const PointCloud& cloud, double spacing_m) {
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> cells;
-  cells.reserve(cloud.size());
-  for (std::size_t i = 0; i < cloud.size(); ++i) {
-    if (!has_cell(cloud.points[i], spacing_m)) continue;
-    cells.emplace_back(voxel_key(voxel_of(cloud.points[i], 1.5 * spacing_m)),
-                       static_cast<std::uint32_t>(i));
-  }
-  std::ranges::sort(cells);
-  std::vector<std::uint32_t> chosen;
-  for (std::size_t k = 0; k < cells.size(); ++k) {
-    if (k == 0 || cells[k].first != cells[k - 1].first) chosen.push_back(cells[k].second);
-  }
-  return chosen;
-}
-
-/// Moves the elements of `part` behind `all` and frees it.
-template <class T>
-void append(std::vector<T>& all, std::vector<T>& part) {
-  all.insert(all.end(), part.begin(), part.end());
-  std::vector<T>().swap(part);
-}
-
-std::vector<Place> free_places(const Measured& measured, const RunContext& ctx) {
-  const std::vector<std::uint32_t> starts =
-      one_in_each_cell(measured.cloud, measured.options.spacing_m);
-  std::vector<std::vector<Place>> parts((starts.size() + kGrain - 1) / kGrain);
-  parallel_for(ctx, starts.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-    std::vector<Neighbor> members;
-    std::vector<Place>& places = parts[begin / kGrain];
-    for (std::size_t i = begin; i < end && !ctx.stopped(); ++i) {
-      add_places_around(measured, starts[i], members, places);
-    }
-    keep_best_in_cell(places, &Place::step_m);
-    places.shrink_to_fit();
-  });
-  std::vector<Place> places;
-  for (std::vector<Place>& part : parts) append(places, part);
-  keep_best_in_cell(places, &Place::step_m);
-  return places;
-}
-
-std::vector<Filling> fillings(const Measured& measured,
-                              const std::vector<Place>& places,
-                              const RunContext& ctx) {
+std::vector<Filling> fillings_of(const Measured& measured,
+                                 const std::vector<Place>& places,
+                                 const RunContext& ctx) {
   std::vector<std::vector<Filling>> parts((places.size() + kGrain - 1) / kGrain);
   parallel_for(ctx, places.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     std::vector<Neighbor> members;
@@ -218,8 +120,21 @@ std::vector<Filling> fillings(const Measured& measured,
       }
     }
   });
-  std::vector<Filling> all;
-  for (std::vector<Filling>& part : parts) append(all, part);
+  return joined(std::move(parts));
+}
+
+/// Slice by slice along x, because there are several free places to a measured point.
+std::vector<Filling> fillings(const Measured& measured, const RunContext& ctx) {
+  constexpr std::size_t kSlice = 32 * kGrain;
+  const std::vector<std::uint32_t> starts =
+      one_in_each_cell(measured.cloud, measured.options.spacing_m);
+  std::vector<std::vector<Filling>> slices;
+  for (std::size_t begin = 0; begin < starts.size(); begin += kSlice) {
+    const std::size_t count = std::min(kSlice, starts.size() - begin);
+    slices.push_back(fillings_of(
+        measured, free_places(measured, std::span(starts).subspan(begin, count), ctx), ctx));
+  }
+  std::vector<Filling> all = joined(std::move(slices));
   keep_best_in_cell(all, &Filling::open_angle_rad);
   return all;
 }
@@ -231,7 +146,7 @@ PointCloud interpolate_gaps(const PointCloud& cloud,
                             const RunContext& ctx) {
   const KdTree tree(cloud.points);
   const Measured measured{.cloud = cloud, .tree = tree, .options = options};
-  const std::vector<Filling> found = fillings(measured, free_places(measured, ctx), ctx);
+  const std::vector<Filling> found = fillings(measured, ctx);
   std::vector<std::size_t> nearest;
   nearest.reserve(found.size());
   for (const Filling& filling : found) nearest.push_back(filling.nearest);

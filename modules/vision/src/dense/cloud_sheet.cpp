@@ -110,7 +110,8 @@ SheetPoint on_sheet(const PointCloud& cloud,
   return result;
 }
 
-std::vector<std::size_t> without_specks(const std::vector<SheetPoint>& points) {
+/// A flag for each point that is no speck.
+std::vector<char> without_specks(const std::vector<SheetPoint>& points) {
   constexpr double kMaxSigmas = 3.0;
   double sum = 0.0;
   double squares = 0.0;
@@ -121,13 +122,11 @@ std::vector<std::size_t> without_specks(const std::vector<SheetPoint>& points) {
   const auto count = static_cast<double>(points.size());
   const double mean = sum / count;
   const double deviation = std::sqrt(std::max(0.0, squares / count - mean * mean));
-  std::vector<std::size_t> kept;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!points[i].is_beside && points[i].distance_m <= mean + kMaxSigmas * deviation) {
-      kept.push_back(i);
-    }
-  }
-  return kept;
+  std::vector<char> is_kept(points.size());
+  std::ranges::transform(points, is_kept.begin(), [&](const SheetPoint& p) {
+    return static_cast<char>(!p.is_beside && p.distance_m <= mean + kMaxSigmas * deviation);
+  });
+  return is_kept;
 }
 
 /// Every point on its sheet; the normals of the cloud turn into those of the sheets.
@@ -152,9 +151,8 @@ PointCloud one_sheet(PointCloud cloud, const RunContext& ctx) {
     cloud.points[i] = points[i].point;
     cloud.sigmas_m[i] = points[i].sigma_m;
   }
-  if (cloud.size() <= kNeighbors) return cloud;
-  const std::vector<std::size_t> kept = without_specks(points);
-  return kept.size() == cloud.size() ? cloud : select(cloud, kept);
+  if (cloud.size() > kNeighbors) keep_flagged(cloud, without_specks(points));
+  return cloud;
 }
 
 }  // namespace hybridfusion

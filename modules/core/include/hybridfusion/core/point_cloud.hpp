@@ -39,6 +39,10 @@ struct PointCloud {
 /// The points at `indices` (in that order) with every channel that `cloud` has.
 [[nodiscard]] PointCloud select(const PointCloud& cloud, const std::vector<std::size_t>& indices);
 
+/// Leaves the points whose flag is not 0, in their order: select without a second cloud's memory.
+/// @pre is_kept.size() == cloud.size()
+void keep_flagged(PointCloud& cloud, const std::vector<char>& is_kept);
+
 /// `b` behind `a`. A channel survives only when both have it (or one of them is empty).
 [[nodiscard]] PointCloud concatenate(PointCloud a, const PointCloud& b);
 

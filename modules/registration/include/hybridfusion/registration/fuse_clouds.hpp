@@ -110,12 +110,12 @@ struct FuseResult {
 /// either cloud. Channels survive when both clouds have them; LiDAR
 /// points without colours borrow those of near vision points; intensities survive from the LiDAR
 /// cloud alone (vision points get 0). Narrow gaps are filled by interpolate_gaps, behind all
-/// measured points and marked by their source.
+/// measured points and marked by their source. Clouds that are moved in are not copied.
 /// @param vision_rescale  When given, applied to the vision cloud first (e.g. the scale that the
 ///                        LiDAR corrects); `vision_from_lidar` then refers to the rescaled cloud.
 /// @returns kInvalidOptions, or kInsufficient when a cloud's channels are inconsistent.
-[[nodiscard]] Expected<FuseResult> fuse_clouds(const PointCloud& vision,
-                                               const PointCloud& lidar,
+[[nodiscard]] Expected<FuseResult> fuse_clouds(PointCloud vision,
+                                               PointCloud lidar,
                                                const Rigid3& vision_from_lidar,
                                                const std::optional<Sim3>& vision_rescale = {},
                                                const FuseOptions& options = {},
