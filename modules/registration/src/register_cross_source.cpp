@@ -9,9 +9,21 @@
 #include <span>
 #include <utility>
 
+#include <fmt/format.h>
+
 namespace hybridfusion {
 
 namespace {
+
+/// Trees alone fix no position, whatever the photos show: no search is worth its time.
+Expected<void> check_walls(const LidarMaps& maps, const VerdictOptions& options) {
+  if (maps.facades.empty() || maps.linear_share >= options.min_linear_share) return {};
+  return fail(ErrorCode::kDegenerate,
+              fmt::format("{:.2f} of the LiDAR columns lie on straight walls (limit {:.2f}): trees "
+                          "alone do not fix a position",
+                          maps.linear_share,
+                          options.min_linear_share));
+}
 
 /// At once, or by tiles where the vision cloud within reach is large.
 Expected<RegistrationResult> run_hybrid(const PointCloud& vision,
@@ -20,6 +32,9 @@ Expected<RegistrationResult> run_hybrid(const PointCloud& vision,
                                         const RegistrationOptions& options,
                                         const RunContext& ctx) {
   HF_TRY(PreparedClouds clouds, prepare_lidar_of_pair(vision, lidar, input, options, ctx));
+  if (auto fixed = check_walls(clouds.lidar_maps, options.verdict); !fixed) {
+    return std::unexpected(fixed.error());
+  }
   std::vector<Eigen::Vector3f> kept;
   std::span<const Eigen::Vector3f> within_reach = vision.points;
   if (input.vision_from_lidar_initial) {

@@ -110,11 +110,6 @@ std::vector<Factor> weigh(const Evidence& e, const VerdictOptions& o) {
                    "or no buildings",
                    e.best.facade_weight_on_edges,
                    o.min_facade_weight)},
-      {e.linear_share < o.min_linear_share ? 0.0 : 1.0,
-       fmt::format("{:.2f} of the LiDAR columns lie on straight walls (limit {:.2f}): trees alone "
-                   "do not fix a position",
-                   e.linear_share,
-                   o.min_linear_share)},
       {place_factor(e, o),
        fmt::format("ambiguous: a place {:.1f} m away (bearing {:.0f} deg from x), turned by {:.0f} "
                    "deg, scores {:.2f} of the best (limit {:.2f}); give a better initial pose with "

@@ -135,6 +135,17 @@ TEST(RegisterCrossSource, RefusesAFlatFieldTreesAloneAndAStraightCanyon) {
   }
 }
 
+TEST(RegisterCrossSource, RefusesTreesAloneBeforeAnySearch) {
+  test::SceneOptions options = small_scene();
+  options.buildings = 0;
+  options.trees = 25;
+  const test::Scene scene = test::make_scene(36, options);
+  const auto result = register_cross_source(scene.vision, scene.lidar);
+  ASSERT_TRUE(result) << result.error().message;
+  EXPECT_NE(result->reason.find("trees alone"), std::string::npos) << result->reason;
+  EXPECT_TRUE(result->candidates.empty());
+}
+
 TEST(RegisterCrossSource, RefusesTwinPlacesUnlessThePriorDecides) {
   const test::Scene scene = test::make_scene(42, small_scene());
   Rigid3 beside;
