@@ -8,7 +8,7 @@ namespace hybridfusion {
 struct NdtOptions {
   double start_cell_m = 4.0;
   double final_cell_m = 1.5;
-  int iterations = 40;
+  int iterations = 200;
   int min_cell_points = 6;
   double outlier_ratio = 0.55;
   int samples = 30000;
