@@ -2,9 +2,10 @@
 
 #include "quantile.hpp"
 
+#include <hybridfusion/io/atomic_file.hpp>
+
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 #include <utility>
 
@@ -132,7 +133,7 @@ Expected<std::vector<Outcome>> read_json(const std::string& path) {
   return outcomes;
 }
 
-void write_json(const std::vector<Outcome>& outcomes, const std::string& path) {
+Expected<void> write_json(const std::vector<Outcome>& outcomes, const std::string& path) {
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
   for (const Outcome& o : outcomes) {
     nlohmann::ordered_json scores;
@@ -156,10 +157,7 @@ void write_json(const std::vector<Outcome>& outcomes, const std::string& path) {
                     {"reason", o.reason},
                     {"scores", scores}});
   }
-  // Renamed when whole: a run that is stopped while it writes keeps the scenes before.
-  const std::string unfinished = path + ".part";
-  std::ofstream(unfinished) << rows.dump(1) << '\n';
-  std::filesystem::rename(unfinished, path);
+  return write_file_atomically(path, rows.dump(1) + '\n');
 }
 
 }  // namespace hybridfusion::benchmark

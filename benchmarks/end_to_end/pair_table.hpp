@@ -40,7 +40,8 @@ void print_goals(const std::vector<Outcome>& outcomes, const std::string& method
 /// The outcomes of a file that write_json wrote; without the columns of later versions.
 [[nodiscard]] Expected<std::vector<Outcome>> read_json(const std::string& path);
 
-/// Every single outcome with its scores.
-void write_json(const std::vector<Outcome>& outcomes, const std::string& path);
+/// Every single outcome with its scores. A failed or interrupted write leaves the file as it was.
+[[nodiscard]] Expected<void> write_json(const std::vector<Outcome>& outcomes,
+                                        const std::string& path);
 
 }  // namespace hybridfusion::benchmark

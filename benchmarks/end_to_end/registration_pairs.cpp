@@ -12,6 +12,7 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <iterator>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -135,12 +136,20 @@ bool run_seed(std::uint64_t seed,
     const bool wanted = settings.only.empty() ||
                         std::ranges::find(settings.only, group.name) != settings.only.end();
     if (!wanted || (only_refusals && !group.must_refuse())) continue;
+    std::vector<std::string> missing;  // of a run that was stopped; all methods without one
+    std::ranges::copy_if(
+        settings.methods, std::back_inserter(missing), [&](const std::string& method) {
+          return std::ranges::none_of(outcomes, [&](const Outcome& o) {
+            return o.seed == seed && o.group == group.name && o.method == method;
+          });
+        });
+    if (missing.empty()) continue;
     const auto pair = make_pair(group, seed, scenes, ctx);
     if (!pair) {
       fmt::print(stderr, "{} seed {}: {}\n", group.name, seed, pair.error().message);
       return false;
     }
-    for (const std::string& method : settings.methods) {
+    for (const std::string& method : missing) {
       const auto options = options_of(method, settings.set);
       if (!options) {
         fmt::print(stderr, "{}\n", options.error().message);
@@ -164,8 +173,8 @@ int tabulate(const std::string& path, const std::vector<std::string>& methods) {
   return 0;
 }
 
-/// The outcomes of a run that was stopped: whole scenes, because the file is written after each.
-Expected<std::vector<Outcome>> finished_scenes(const Settings& settings) {
+/// The outcomes of a run that was stopped.
+Expected<std::vector<Outcome>> finished_outcomes(const Settings& settings) {
   if (!settings.resume || !std::filesystem::exists(settings.json)) return std::vector<Outcome>{};
   auto outcomes = read_json(settings.json);
   if (!outcomes) return outcomes;
@@ -182,7 +191,7 @@ Expected<std::vector<Outcome>> finished_scenes(const Settings& settings) {
 
 int run(const Settings& settings) {
   if (!settings.from_json.empty()) return tabulate(settings.from_json, settings.methods);
-  auto finished = finished_scenes(settings);
+  auto finished = finished_outcomes(settings);
   if (!finished) {
     fmt::print(stderr, "{}\n", finished.error().message);
     return 1;
@@ -191,10 +200,13 @@ int run(const Settings& settings) {
   // Six groups must be refused, fourteen not: about as many pairs of either kind.
   for (int i = 0; i < 2 * settings.scenes; ++i) {
     const std::uint64_t seed = settings.first_seed + static_cast<std::uint64_t>(i);
-    if (std::ranges::find(outcomes, seed, &Outcome::seed) != outcomes.end()) continue;
     if (!run_seed(seed, i >= settings.scenes, settings, outcomes)) return 1;
     // After every scene: a long run that is stopped keeps what it has.
-    if (!settings.json.empty()) write_json(outcomes, settings.json);
+    if (settings.json.empty()) continue;
+    if (const auto written = write_json(outcomes, settings.json); !written) {
+      fmt::print(stderr, "{}\n", written.error().message);
+      return 1;
+    }
   }
   print_table(outcomes, settings.methods);
   print_goals(outcomes, settings.methods.front());
@@ -224,9 +236,10 @@ int main(int argc, char** argv) try {
   app.add_flag("--strict", settings.strict, "Exit 1 unless every answer is right or a due refusal");
   app.add_option("--set", settings.set, "Option of every registration, key=value");
   auto* json = app.add_option("--json", settings.json, "File for every single outcome");
-  app.add_flag("--resume",
-               settings.resume,
-               "Leave out the scenes that the file of --json holds from a run that was stopped")
+  app.add_flag(
+         "--resume",
+         settings.resume,
+         "Leave out what the file of --json holds from a run that was stopped, with the same --set")
       ->needs(json);
   app.add_option("--from-json",
                  settings.from_json,

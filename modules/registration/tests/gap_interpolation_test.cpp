@@ -1,8 +1,10 @@
 #include <hybridfusion/core/random.hpp>
+#include <hybridfusion/geometry/kd_tree.hpp>
 #include <hybridfusion/registration/gap_interpolation.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -32,6 +34,31 @@ float nearest_m(const PointCloud& cloud, const Eigen::Vector3f& at) {
   float least = 1e9F;
   for (const Eigen::Vector3f& p : cloud.points) least = std::min(least, (p - at).norm());
   return least;
+}
+
+TEST(GapInterpolation, ASlitThroughALargeSurfaceIsFilledFromEndToEnd) {
+  // More starts than one slice takes, so that slices meet along the slit.
+  constexpr float kLength_m = 180.0F;
+  PointCloud cloud;
+  for (int i = 0; i <= 1200; ++i) {
+    for (int k = 0; k <= 160; ++k) {
+      const float y = 0.15F * static_cast<float>(k);
+      if (std::abs(y - 12.0F) < 0.17F) continue;
+      cloud.points.emplace_back(0.15F * static_cast<float>(i), y, 0.0F);
+    }
+  }
+  const PointCloud added = interpolate_gaps(cloud);
+  std::vector<int> filled(static_cast<std::size_t>(kLength_m), 0);
+  for (const Eigen::Vector3f& p : added.points) {
+    if (std::abs(p.y() - 12.0F) < 0.3F) ++filled[static_cast<std::size_t>(std::min(p.x(), 179.0F))];
+  }
+  EXPECT_GT(*std::min_element(filled.begin() + 1, filled.end() - 1), 3);
+  const KdTree tree(added.points);
+  for (std::size_t i = 0; i < added.size(); ++i) {
+    std::vector<Neighbor> two;
+    tree.nearest(added.points[i], 2, two);
+    EXPECT_GT(two.back().squared_distance_m2, 0.0F);
+  }
 }
 
 TEST(GapInterpolation, ANarrowGapOfASurfaceIsFilledOnTheSurface) {
