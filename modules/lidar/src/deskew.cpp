@@ -1,5 +1,6 @@
 #include "deskew.hpp"
 
+#include <hybridfusion/core/floor.hpp>
 #include <hybridfusion/geometry/voxel_grid.hpp>
 
 #include <algorithm>

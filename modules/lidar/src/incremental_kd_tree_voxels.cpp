@@ -1,5 +1,6 @@
 #include "incremental_kd_tree.hpp"
 
+#include <hybridfusion/core/floor.hpp>
 #include <hybridfusion/geometry/voxel_grid.hpp>
 
 #include <algorithm>

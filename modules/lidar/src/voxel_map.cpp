@@ -1,6 +1,7 @@
 #include "voxel_map.hpp"
 
 #include <hybridfusion/core/error.hpp>
+#include <hybridfusion/core/floor.hpp>
 #include <hybridfusion/geometry/voxel_grid.hpp>
 
 #include <algorithm>

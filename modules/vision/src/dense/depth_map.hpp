@@ -3,6 +3,7 @@
 #include "image_plane.hpp"
 #include "image_warp.hpp"
 
+#include <hybridfusion/core/floor.hpp>
 #include <hybridfusion/core/point_cloud.hpp>
 #include <hybridfusion/core/rigid3.hpp>
 #include <hybridfusion/vision/rectification.hpp>

@@ -31,12 +31,4 @@ struct ImagePlane {
   }
 };
 
-/// Largest whole number that is not above `value`, which fits an int: no call into the library, as
-/// std::floor is one on the oldest processors served.
-template <class Real>
-[[nodiscard]] inline int floor_to_int(Real value) {
-  const int whole = static_cast<int>(value);
-  return static_cast<Real>(whole) > value ? whole - 1 : whole;
-}
-
 }  // namespace hybridfusion

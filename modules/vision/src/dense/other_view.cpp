@@ -1,5 +1,7 @@
 #include "other_view.hpp"
 
+#include <hybridfusion/core/floor.hpp>
+
 #include <algorithm>
 #include <array>
 

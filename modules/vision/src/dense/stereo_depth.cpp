@@ -3,6 +3,8 @@
 #include "sky_fringe.hpp"
 #include "stereo_matcher.hpp"
 
+#include <hybridfusion/core/floor.hpp>
+
 #include <algorithm>
 #include <limits>
 

@@ -15,12 +15,6 @@ using VoxelIndex = Eigen::Vector3i;
   return (point.cast<double>() / voxel_m).array().floor().cast<int>();
 }
 
-/// std::floor, which is a call on processors without SSE 4.1. @pre |value| < 2^31
-[[nodiscard]] inline float floor_of(float value) {
-  const auto truncated = static_cast<float>(static_cast<int>(value));
-  return truncated - static_cast<float>(truncated > value);
-}
-
 /// 21 bits an axis, so that cells sort and hash as one integer; valid for |index| < 2^20.
 [[nodiscard]] inline std::uint64_t voxel_key(const VoxelIndex& v) {
   constexpr int kOffset = 1 << 20;
