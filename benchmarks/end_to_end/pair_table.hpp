@@ -17,7 +17,7 @@ struct Outcome {
   std::uint64_t seed = 0;
   std::string method;
   bool ok = false;     ///< The method vouches for its pose.
-  bool right = false;  ///< Within 1 m and 2 degrees of the truth.
+  bool right = false;  ///< Within 1 m and 2 degrees of the truth, whether refused or not.
   RegistrationErrors errors = {};
   double yaw_deg = 0.0;  ///< Of the error, about the vertical.
   double floor_m = 0.0;
@@ -36,6 +36,10 @@ void print_table(const std::vector<Outcome>& outcomes, const std::vector<std::st
 
 /// The goals of the benchmark with what one method reached.
 void print_goals(const std::vector<Outcome>& outcomes, const std::string& method);
+
+/// How often poses of a confidence are right, one row a method.
+void print_calibration(const std::vector<Outcome>& outcomes,
+                       const std::vector<std::string>& methods);
 
 /// The outcomes of a file that write_json wrote; without the columns of later versions.
 [[nodiscard]] Expected<std::vector<Outcome>> read_json(const std::string& path);

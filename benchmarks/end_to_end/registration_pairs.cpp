@@ -170,6 +170,7 @@ int tabulate(const std::string& path, const std::vector<std::string>& methods) {
   }
   print_table(*outcomes, methods);
   print_goals(*outcomes, methods.front());
+  print_calibration(*outcomes, methods);
   return 0;
 }
 
@@ -210,6 +211,7 @@ int run(const Settings& settings) {
   }
   print_table(outcomes, settings.methods);
   print_goals(outcomes, settings.methods.front());
+  print_calibration(outcomes, settings.methods);
   const auto is_good = [](const Outcome& o) {
     const auto group = std::ranges::find(case_groups(), o.group, &CaseGroup::name);
     return group->must_refuse() ? !o.ok : o.ok && o.right;
