@@ -224,9 +224,7 @@ class Adjuster {
   }
 
   void store_covariance() {
-    constexpr std::size_t kMaxViews = 300;  // the dense inverse grows with the cube
     model_.pose_covariance.assign(model_.world_from_view.size(), std::nullopt);
-    if (request_.free_views.size() > kMaxViews) return;
     CovarianceBlocks blocks;
     for (Eigen::Vector3d& point : blocks_.points) blocks.points.push_back(point.data());
     for (Eigen::Vector3d& point : blocks_.control) blocks.points.push_back(point.data());

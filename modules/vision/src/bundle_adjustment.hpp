@@ -34,7 +34,7 @@ struct AdjustmentRequest {
   int max_iterations = 50;
   GnssTerms* gnss = nullptr;
   std::span<const ControlTarget> control = {};
-  bool covariance = false;  ///< Fill SfmModel::pose_covariance (up to 300 views).
+  bool covariance = false;  ///< Fill SfmModel::pose_covariance.
 };
 
 struct AdjustmentSummary {

@@ -187,12 +187,13 @@ inline PointCloud fused(std::span<const DepthMap> maps, double voxel_m, int min_
 /// Checks one of the maps against all others.
 inline CheckedDepth checked(std::span<const DepthMap> maps,
                             std::uint32_t view,
-                            const DepthCheckOptions& options = {}) {
+                            const DepthCheckOptions& options = {},
+                            const RunContext& ctx = {}) {
   std::vector<const DepthMap*> others;
   for (const DepthMap& map : maps) {
     if (map.view != view) others.push_back(&map);
   }
-  return check_depths(maps[view], others, options);
+  return check_depths(maps[view], others, options, ctx);
 }
 
 /// What stereo would hand over for a photo if it made no error.

@@ -59,14 +59,15 @@ struct FourPhotos {
   testing::BoxScene scene{.texture_m = 1.0};
   std::vector<DepthMap> maps;
 
-  explicit FourPhotos(double sigma_m = 0.05) {
+  explicit FourPhotos(double sigma_m = 0.05, double size = 1.0) {
     const std::vector<Rigid3> poses{testing::looking({-5, 0, 40}, kDown, 0.0),
                                     testing::looking({5, 0, 40}, kDown, 3.0),
                                     testing::looking({0, 6, 41}, kDown, 1.5),
                                     testing::looking({0, -6, 39}, kDown, 0.2)};
+    const auto camera =
+        testing::small_camera(static_cast<int>(160 * size), static_cast<int>(120 * size));
     for (std::uint32_t v = 0; v < poses.size(); ++v) {
-      maps.push_back(
-          testing::perfect_depths(scene, {testing::small_camera(160, 120), poses[v]}, v, sigma_m));
+      maps.push_back(testing::perfect_depths(scene, {camera, poses[v]}, v, sigma_m));
       for (std::uint32_t other = 0; other < poses.size(); ++other) {
         if (other != v) maps.back().overlapping.push_back(other);
       }
@@ -138,6 +139,18 @@ TEST(DepthConsistency, DropsDepthsWhereNoOtherPhotoLooksAlike) {
       << "two others that agree suffice";
   EXPECT_GT(count_depths(testing::checked(photos.maps, 0, {.min_correlation = -1.0}).depth_m),
             0.75 * before);
+}
+
+TEST(DepthConsistency, IsTheSameAtAnyNumberOfThreads) {
+  // More rows than one thread takes at a time.
+  const auto photos = FourPhotos(0.05, 3.0);
+  const CheckedDepth one = testing::checked(photos.maps, 0, {}, {.num_threads = 1});
+  const CheckedDepth four = testing::checked(photos.maps, 0, {}, {.num_threads = 4});
+  ASSERT_GT(one.depth_m.height, 300);
+  EXPECT_GT(count_depths(one.depth_m), 0.75 * count_depths(photos.maps[0].depth_m));
+  const auto same = [](float a, float b) { return a == b || (std::isnan(a) && std::isnan(b)); };
+  EXPECT_TRUE(std::ranges::equal(one.depth_m.values, four.depth_m.values, same));
+  EXPECT_EQ(one.sigma_m.values, four.sigma_m.values);
 }
 
 TEST(DepthConsistency, TwoSheetsBecomeOne) {

@@ -108,7 +108,8 @@ Expected<StereoStage> match_all(std::span<const Photo> photos,
 Expected<std::optional<DepthMap>> check_one(DepthMapStore& maps,
                                             std::uint32_t view,
                                             double max_depth_m,
-                                            const DepthCheckOptions& options) {
+                                            const DepthCheckOptions& options,
+                                            const RunContext& ctx) {
   HF_TRY(const DepthMapStore::Handle reference, maps.get(view));
   if (!reference) return std::optional<DepthMap>();
   std::vector<DepthMapStore::Handle> handles;
@@ -120,7 +121,7 @@ Expected<std::optional<DepthMap>> check_one(DepthMapStore& maps,
     handles.push_back(std::move(handle));
   }
   DepthMap result = *reference;
-  CheckedDepth checked = check_depths(*reference, others, options);
+  CheckedDepth checked = check_depths(*reference, others, options, ctx);
   result.depth_m = std::move(checked.depth_m);
   result.sigma_m = std::move(checked.sigma_m);
   drop_far_depths(result, max_depth_m);
@@ -138,27 +139,13 @@ Expected<void> checked_depths(std::span<const Photo> photos,
   HF_TRY(const StereoStage stage, match_all(photos, reconstruction, options, ctx, scratch));
   const std::vector<std::uint32_t> views = registered_views(reconstruction);
   const double max_depth_m = options.max_gsd_ratio * stage.median_depth_m;
-  // Checked side by side, visited in order: the result does not depend on the number of threads.
-  const auto batch = static_cast<std::size_t>(effective_threads(ctx));
-  for (std::size_t begin = 0; begin < views.size(); begin += batch) {
-    const std::size_t count = std::min(batch, views.size() - begin);
-    std::vector<std::optional<DepthMap>> checked(count);
-    FirstError error;
-    parallel_for(ctx, count, 1, [&](std::size_t i, std::size_t) {
-      if (!error.result(ctx)) return;
-      auto map = check_one(*stage.maps, views[begin + i], max_depth_m, options.check);
-      if (map) {
-        checked[i] = std::move(*map);
-      } else {
-        error.add(map.error());
-      }
-    });
-    if (auto result = error.result(ctx); !result) return result;
-    for (const auto& map : checked) {
-      if (map) visit(*map);
-    }
+  // One photo at a time on all threads: only the maps that one is checked against are in memory.
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    if (ctx.stopped()) return fail(ErrorCode::kCancelled, "stopped by the caller");
+    HF_TRY(const auto map, check_one(*stage.maps, views[i], max_depth_m, options.check, ctx));
+    if (map) visit(*map);
     ctx.report({.stage = "vision/dense/check",
-                .done = static_cast<std::int64_t>(begin + count),
+                .done = static_cast<std::int64_t>(i + 1),
                 .total = static_cast<std::int64_t>(views.size())});
   }
   return {};

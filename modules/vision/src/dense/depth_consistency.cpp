@@ -3,6 +3,8 @@
 #include "footprint.hpp"
 #include "other_view.hpp"
 
+#include <hybridfusion/core/parallel.hpp>
+
 #include <algorithm>
 #include <limits>
 
@@ -10,6 +12,7 @@ namespace hybridfusion {
 namespace {
 
 constexpr int kBandRows = 16;  // rows checked at a time: what the others show there fits the cache
+constexpr std::size_t kChunkRows = 8 * kBandRows;  // of one thread
 constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
 
 std::vector<OtherView> others_of(const DepthMap& reference, std::span<const DepthMap* const> maps) {
@@ -73,35 +76,51 @@ std::optional<DepthGuess> checked_depth(const DepthMap& reference,
   return merge_guesses(supporting);
 }
 
+/// Fills the rows [begin, end) of `result`.
+void check_rows(const DepthMap& reference,
+                std::span<const OtherView> others,
+                const DepthCheckOptions& options,
+                int begin,
+                int end,
+                std::vector<OtherViewBand>& bands,
+                CheckedDepth& result) {
+  const int first_row = std::max(0, begin - kCorrelationReach_px);
+  const int end_row = std::min(reference.grid.height_px, end + kCorrelationReach_px);
+  const std::vector<DepthTile> tiles = tiles_of_rows(reference, first_row, end_row);
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    bands[i].look(others[i], tiles, first_row, end_row);
+  }
+  std::vector<DepthGuess> supporting;
+  for (int y = begin; y < end; ++y) {
+    for (int x = 0; x < reference.grid.width_px; ++x) {
+      if (!reference.has_depth(x, y)) continue;
+      const auto depth = checked_depth(reference, bands, x, y, options, supporting);
+      if (!depth) continue;
+      result.depth_m.at(x, y) = static_cast<float>(depth->depth_m);
+      result.sigma_m.at(x, y) = static_cast<float>(depth->sigma_m);
+    }
+  }
+}
+
 }  // namespace
 
 CheckedDepth check_depths(const DepthMap& reference,
                           std::span<const DepthMap* const> maps,
-                          const DepthCheckOptions& options) {
+                          const DepthCheckOptions& options,
+                          const RunContext& ctx) {
   const std::vector<OtherView> others = others_of(reference, maps);
   const int width = reference.grid.width_px;
   const int height = reference.grid.height_px;
   CheckedDepth result{.depth_m = {width, height, kNothing}, .sigma_m = {width, height, 0.0F}};
-  std::vector<OtherViewBand> bands(others.size(), OtherViewBand(reference, options));
-  std::vector<DepthGuess> supporting;
-  for (int begin = 0; begin < height; begin += kBandRows) {
-    const int end = std::min(height, begin + kBandRows);
-    const int first_row = std::max(0, begin - kCorrelationReach_px);
-    const int end_row = std::min(height, end + kCorrelationReach_px);
-    const std::vector<DepthTile> tiles = tiles_of_rows(reference, first_row, end_row);
-    for (std::size_t i = 0; i < others.size(); ++i) {
-      bands[i].look(others[i], tiles, first_row, end_row);
+  const auto num_rows = static_cast<std::size_t>(height);
+  parallel_for(ctx, num_rows, kChunkRows, [&](std::size_t first, std::size_t last) {
+    std::vector<OtherViewBand> bands(others.size(), OtherViewBand(reference, options));
+    const int end_row = static_cast<int>(last);
+    for (int begin = static_cast<int>(first); begin < end_row; begin += kBandRows) {
+      const int end = std::min(end_row, begin + kBandRows);
+      check_rows(reference, others, options, begin, end, bands, result);
     }
-    for (int y = begin; y < end; ++y) {
-      for (int x = 0; x < width; ++x) {
-        if (!reference.has_depth(x, y)) continue;
-        const auto depth = checked_depth(reference, bands, x, y, options, supporting);
-        if (!depth) continue;
-        result.depth_m.at(x, y) = static_cast<float>(depth->depth_m);
-        result.sigma_m.at(x, y) = static_cast<float>(depth->sigma_m);
-      }
-    }
-  }
+  });
   return result;
 }
 

@@ -2,6 +2,7 @@
 
 #include "depth_map.hpp"
 
+#include <hybridfusion/core/run_context.hpp>
 #include <hybridfusion/vision/densify_options.hpp>
 
 #include <span>
@@ -21,6 +22,7 @@ struct CheckedDepth {
 };
 [[nodiscard]] CheckedDepth check_depths(const DepthMap& reference,
                                         std::span<const DepthMap* const> others,
-                                        const DepthCheckOptions& options);
+                                        const DepthCheckOptions& options,
+                                        const RunContext& ctx);
 
 }  // namespace hybridfusion

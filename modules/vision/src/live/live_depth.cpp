@@ -77,7 +77,7 @@ std::optional<PhotoPoints> LiveDepth::points_of(const Reconstruction& reconstruc
   }
   DepthMap checked = map;
   if (!others.empty()) {
-    CheckedDepth depth = check_depths(map, others, options_.check);
+    CheckedDepth depth = check_depths(map, others, options_.check, ctx);
     checked.depth_m = std::move(depth.depth_m);
     checked.sigma_m = std::move(depth.sigma_m);
     drop_far_depths(checked, options_.max_gsd_ratio * median(medians_m_));
