@@ -5,6 +5,7 @@
 #include "stereo_depth.hpp"
 #include "work_images.hpp"
 
+#include <hybridfusion/core/memory.hpp>
 #include <hybridfusion/core/parallel.hpp>
 
 #include <algorithm>
@@ -140,7 +141,9 @@ Expected<void> checked_depths(std::span<const Photo> photos,
   const std::vector<std::uint32_t> views = registered_views(reconstruction);
   const double max_depth_m = options.max_gsd_ratio * stage.median_depth_m;
   // One photo at a time on all threads: only the maps that one is checked against are in memory.
+  constexpr std::size_t kTrimEvery = 32;  // maps that come and go leave holes in the heap
   for (std::size_t i = 0; i < views.size(); ++i) {
+    if (i % kTrimEvery == 0) return_freed_memory();
     if (ctx.stopped()) return fail(ErrorCode::kCancelled, "stopped by the caller");
     HF_TRY(const auto map, check_one(*stage.maps, views[i], max_depth_m, options.check, ctx));
     if (map) visit(*map);
