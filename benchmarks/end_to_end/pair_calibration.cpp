@@ -20,7 +20,7 @@ struct Bin {
 };
 
 std::size_t bin_of(double confidence) {
-  const auto* const above = std::upper_bound(kEdges.begin(), kEdges.end(), confidence);
+  const auto* const above = std::ranges::upper_bound(kEdges, confidence);
   return std::min(static_cast<std::size_t>(above - kEdges.begin()) - 1, kNumBins - 1);
 }
 

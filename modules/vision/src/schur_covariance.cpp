@@ -5,7 +5,8 @@
 
 #include <cstddef>
 #include <unordered_map>
-#include <utility>
+
+#include <Eigen/SparseCore>
 
 namespace hybridfusion {
 namespace {
@@ -13,6 +14,7 @@ namespace {
 constexpr int kPose = 6;
 constexpr std::size_t kBatchPoints = 16384;  // whose rows are in memory at a time
 
+using Sparse = Eigen::SparseMatrix<double>;
 using PoseCovariance = Eigen::Matrix<double, kPose, kPose>;
 
 /// Points of one piece of the Jacobian and the residuals that touch them.
@@ -32,7 +34,7 @@ std::vector<Batch> batches_of(const ceres::Problem& problem, const std::vector<d
   std::vector<ceres::ResidualBlockId> residuals;
   problem.GetResidualBlocks(&residuals);
   std::vector<double*> touched;
-  for (const ceres::ResidualBlockId residual : residuals) {
+  for (ceres::ResidualBlockId residual : residuals) {
     problem.GetParameterBlocksForResidualBlock(residual, &touched);
     std::size_t batch = batches.size() - 1;
     for (const double* block : touched) {
@@ -44,10 +46,11 @@ std::vector<Batch> batches_of(const ceres::Problem& problem, const std::vector<d
 }
 
 /// The covariance of all cameras where they share points; nothing when they are not determined.
-std::optional<Eigen::SparseMatrix<double>> camera_covariance(ceres::Problem& problem,
-                                                             const std::vector<double*>& points,
-                                                             const std::vector<double*>& cameras) {
+std::optional<Sparse> camera_covariance(ceres::Problem& problem,
+                                        const std::vector<double*>& points,
+                                        const std::vector<double*>& cameras) {
   std::vector<int> sizes;
+  sizes.reserve(cameras.size());
   for (const double* block : cameras) sizes.push_back(problem.ParameterBlockTangentSize(block));
   SchurComplement complement(sizes);
   for (const Batch& batch : batches_of(problem, points)) {
@@ -60,17 +63,16 @@ std::optional<Eigen::SparseMatrix<double>> camera_covariance(ceres::Problem& pro
     if (!problem.Evaluate(options, nullptr, nullptr, nullptr, &jacobian)) return std::nullopt;
     complement.add(jacobian, 3 * static_cast<int>(batch.points.size()));
   }
-  Eigen::SparseMatrix<double> matrix = complement.lower_triangle();
+  const Sparse matrix = complement.lower_triangle();
   // Columns differ by many powers of ten: rotations, metres, focal length.
   const Eigen::VectorXd scale =
       Eigen::VectorXd(matrix.diagonal()).cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
-  const auto scale_both = [&] { matrix = scale.asDiagonal() * matrix * scale.asDiagonal(); };
-  scale_both();
-  auto inverse = selected_inverse(matrix);
+  const auto scaled = [&](const Sparse& m) {
+    return Sparse(scale.asDiagonal() * m * scale.asDiagonal());
+  };
+  const auto inverse = selected_inverse(scaled(matrix));
   if (!inverse) return std::nullopt;
-  matrix = std::move(*inverse);
-  scale_both();
-  return matrix;
+  return scaled(*inverse);
 }
 
 }  // namespace

@@ -6,13 +6,14 @@
 #include <hybridfusion/core/parallel.hpp>
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 
 namespace hybridfusion {
 namespace {
 
 constexpr int kBandRows = 16;  // rows checked at a time: what the others show there fits the cache
-constexpr std::size_t kChunkRows = 8 * kBandRows;  // of one thread
+constexpr std::size_t kChunkRows = std::size_t{8} * kBandRows;  // of one thread
 constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
 
 std::vector<OtherView> others_of(const DepthMap& reference, std::span<const DepthMap* const> maps) {
@@ -32,7 +33,7 @@ std::vector<OtherView> others_of(const DepthMap& reference, std::span<const Dept
 /// partners that have it, then photos that know no depth there.
 bool looks_alike(std::span<const OtherViewBand> bands, int x, int y, double min_correlation) {
   constexpr int kMaxJudges = 3;
-  enum class Judge { kOther, kPartner, kWithoutDepth };
+  enum class Judge : std::uint8_t { kOther, kPartner, kWithoutDepth };
   const auto kind_of = [&](const OtherViewBand& band) -> std::optional<Judge> {
     const Seen& seen = band.at(x, y);
     if (!seen.has_depth) return Judge::kWithoutDepth;
@@ -105,20 +106,20 @@ void check_rows(const DepthMap& reference,
 }  // namespace
 
 CheckedDepth check_depths(const DepthMap& reference,
-                          std::span<const DepthMap* const> maps,
+                          std::span<const DepthMap* const> others,
                           const DepthCheckOptions& options,
                           const RunContext& ctx) {
-  const std::vector<OtherView> others = others_of(reference, maps);
+  const std::vector<OtherView> views = others_of(reference, others);
   const int width = reference.grid.width_px;
   const int height = reference.grid.height_px;
   CheckedDepth result{.depth_m = {width, height, kNothing}, .sigma_m = {width, height, 0.0F}};
   const auto num_rows = static_cast<std::size_t>(height);
   parallel_for(ctx, num_rows, kChunkRows, [&](std::size_t first, std::size_t last) {
-    std::vector<OtherViewBand> bands(others.size(), OtherViewBand(reference, options));
+    std::vector<OtherViewBand> bands(views.size(), OtherViewBand(reference, options));
     const int end_row = static_cast<int>(last);
     for (int begin = static_cast<int>(first); begin < end_row; begin += kBandRows) {
       const int end = std::min(end_row, begin + kBandRows);
-      check_rows(reference, others, options, begin, end, bands, result);
+      check_rows(reference, views, options, begin, end, bands, result);
     }
   });
   return result;
