@@ -61,7 +61,9 @@ class Adjuster {
       return fail(ErrorCode::kDegenerate, "bundle adjustment failed: " + summary.message);
     }
     store();
-    if (request_.covariance) store_covariance();
+    if (request_.covariance) {
+      if (auto stored = store_covariance(ctx); !stored) return std::unexpected(stored.error());
+    }
     return AdjustmentSummary{.iterations = static_cast<int>(summary.iterations.size()),
                              .converged = summary.termination_type == ceres::CONVERGENCE,
                              .initial_cost = summary.initial_cost,
@@ -223,7 +225,7 @@ class Adjuster {
     if (gnss_) gnss_->store();
   }
 
-  void store_covariance() {
+  Expected<void> store_covariance(const RunContext& ctx) {
     model_.pose_covariance.assign(model_.world_from_view.size(), std::nullopt);
     CovarianceBlocks blocks;
     for (Eigen::Vector3d& point : blocks_.points) blocks.points.push_back(point.data());
@@ -235,10 +237,11 @@ class Adjuster {
     if (gnss_) {
       for (Eigen::Vector3d& errors : gnss_->flights()) blocks.others.push_back(errors.data());
     }
-    const auto covariances = pose_covariances(problem_, blocks);
+    HF_TRY(const auto covariances, pose_covariances(problem_, blocks, ctx));
     for (std::size_t k = 0; k < covariances.size(); ++k) {
       model_.pose_covariance[request_.free_views[k]] = covariances[k];
     }
+    return {};
   }
 
   double* intrinsics_of(std::uint32_t view) {

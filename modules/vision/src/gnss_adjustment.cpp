@@ -178,6 +178,9 @@ Expected<void> adjust_with_gnss(SfmModel& model,
     triangulate_tracks(model, all, mapping, ctx);
     scale_sigmas(model, stated, 1.0, terms);
   }
+  ctx.report({.stage = "vision/adjustment",
+              .done = options.adjustment.rounds,
+              .total = options.adjustment.rounds});
   return {};
 }
 

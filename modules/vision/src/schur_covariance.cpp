@@ -46,21 +46,30 @@ std::vector<Batch> batches_of(const ceres::Problem& problem, const std::vector<d
 }
 
 /// The covariance of all cameras where they share points; nothing when they are not determined.
-std::optional<Sparse> camera_covariance(ceres::Problem& problem,
-                                        const std::vector<double*>& points,
-                                        const std::vector<double*>& cameras) {
+Expected<std::optional<Sparse>> camera_covariance(ceres::Problem& problem,
+                                                  const std::vector<double*>& points,
+                                                  const std::vector<double*>& cameras,
+                                                  const RunContext& ctx) {
   std::vector<int> sizes;
   sizes.reserve(cameras.size());
   for (const double* block : cameras) sizes.push_back(problem.ParameterBlockTangentSize(block));
   SchurComplement complement(sizes);
-  for (const Batch& batch : batches_of(problem, points)) {
+  const std::vector<Batch> batches = batches_of(problem, points);
+  ProgressEvent progress{.stage = "vision/covariance",
+                         .total = static_cast<std::int64_t>(batches.size()) + 1};
+  for (const Batch& batch : batches) {
+    if (ctx.stopped()) return fail(ErrorCode::kCancelled, "stopped by the caller");
+    ctx.report(progress);
+    ++progress.done;
     if (batch.residuals.empty()) continue;
     ceres::Problem::EvaluateOptions options;
     options.parameter_blocks = batch.points;
     options.parameter_blocks.insert(options.parameter_blocks.end(), cameras.begin(), cameras.end());
     options.residual_blocks = batch.residuals;
     ceres::CRSMatrix jacobian;
-    if (!problem.Evaluate(options, nullptr, nullptr, nullptr, &jacobian)) return std::nullopt;
+    if (!problem.Evaluate(options, nullptr, nullptr, nullptr, &jacobian)) {
+      return std::nullopt;
+    }
     complement.add(jacobian, 3 * static_cast<int>(batch.points.size()));
   }
   const Sparse matrix = complement.lower_triangle();
@@ -70,15 +79,18 @@ std::optional<Sparse> camera_covariance(ceres::Problem& problem,
   const auto scaled = [&](const Sparse& m) {
     return Sparse(scale.asDiagonal() * m * scale.asDiagonal());
   };
+  ctx.report(progress);
   const auto inverse = selected_inverse(scaled(matrix));
+  ++progress.done;
+  ctx.report(progress);
   if (!inverse) return std::nullopt;
   return scaled(*inverse);
 }
 
 }  // namespace
 
-std::vector<std::optional<PoseCovariance>> pose_covariances(ceres::Problem& problem,
-                                                            const CovarianceBlocks& blocks) {
+Expected<std::vector<std::optional<PoseCovariance>>> pose_covariances(
+    ceres::Problem& problem, const CovarianceBlocks& blocks, const RunContext& ctx) {
   std::vector<std::optional<PoseCovariance>> result(blocks.poses.size());
   const auto moves = [&](double* block) {
     return problem.HasParameterBlock(block) && !problem.IsParameterBlockConstant(block);
@@ -97,7 +109,7 @@ std::vector<std::optional<PoseCovariance>> pose_covariances(ceres::Problem& prob
   for (double* other : blocks.others) {
     if (moves(other)) cameras.push_back(other);
   }
-  const auto covariance = camera_covariance(problem, points, cameras);
+  HF_TRY(const auto covariance, camera_covariance(problem, points, cameras, ctx));
   if (!covariance) return result;
   for (std::size_t k = 0; k < poses.size(); ++k) {
     const auto at = static_cast<Eigen::Index>(k) * kPose;

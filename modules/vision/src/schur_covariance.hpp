@@ -1,5 +1,8 @@
 #pragma once
 
+#include <hybridfusion/core/error.hpp>
+#include <hybridfusion/core/run_context.hpp>
+
 #include <optional>
 #include <vector>
 
@@ -18,7 +21,8 @@ struct CovarianceBlocks {
 /// Covariance of the tangent of every pose at the present values, losses applied; one per pose,
 /// empty where nothing can be said: the blocks of the inverse of the Schur complement of J^T J.
 /// Time and memory grow with the photos that share points, not with the square of all.
-[[nodiscard]] std::vector<std::optional<Eigen::Matrix<double, 6, 6>>> pose_covariances(
-    ceres::Problem& problem, const CovarianceBlocks& blocks);
+/// Reports as "vision/covariance". Fails with kCancelled.
+[[nodiscard]] Expected<std::vector<std::optional<Eigen::Matrix<double, 6, 6>>>> pose_covariances(
+    ceres::Problem& problem, const CovarianceBlocks& blocks, const RunContext& ctx);
 
 }  // namespace hybridfusion

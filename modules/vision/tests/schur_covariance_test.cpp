@@ -203,7 +203,7 @@ struct Flight {
 
 TEST(PoseCovariances, AreBlocksOfTheWholeInverse) {
   Flight flight(12, true);
-  const auto covariances = pose_covariances(flight.problem, flight.blocks);
+  const auto covariances = *pose_covariances(flight.problem, flight.blocks, {});
   const Eigen::MatrixXd whole = flight.whole_inverse();
   ASSERT_EQ(covariances.size(), 12U);
   for (std::size_t v = 0; v < covariances.size(); ++v) {
@@ -216,24 +216,45 @@ TEST(PoseCovariances, AreBlocksOfTheWholeInverse) {
 TEST(PoseCovariances, AHeldPoseHasNone) {
   Flight flight(12, true);
   flight.problem.SetParameterBlockConstant(flight.poses[3].data());
-  const auto covariances = pose_covariances(flight.problem, flight.blocks);
+  const auto covariances = *pose_covariances(flight.problem, flight.blocks, {});
   EXPECT_FALSE(covariances[3]);
   EXPECT_TRUE(covariances[4]);
 }
 
 TEST(PoseCovariances, PosesThatNothingDeterminesHaveNone) {
   Flight flight(12, false);  // 240 rows for 194 unknowns: determined
-  EXPECT_TRUE(pose_covariances(flight.problem, flight.blocks)[0]);
+  EXPECT_TRUE((*pose_covariances(flight.problem, flight.blocks, {}))[0]);
   std::array<double, 6> loose{};
   flight.problem.AddParameterBlock(loose.data(), 6);
   flight.blocks.poses.push_back(loose.data());
-  EXPECT_FALSE(pose_covariances(flight.problem, flight.blocks)[0]);
+  EXPECT_FALSE((*pose_covariances(flight.problem, flight.blocks, {}))[0]);
 }
 
 TEST(PoseCovariances, AreThereForAThousandPoses) {
   Flight large(1000, true);
-  const auto covariances = pose_covariances(large.problem, large.blocks);
+  const auto covariances = *pose_covariances(large.problem, large.blocks, {});
   EXPECT_TRUE(std::ranges::all_of(covariances, [](const auto& c) { return c.has_value(); }));
+}
+
+TEST(PoseCovariances, ReportTheirProgressToTheEnd) {
+  Flight flight(12, true);
+  std::vector<ProgressEvent> events;
+  const RunContext ctx{.progress = [&](const ProgressEvent& event) { events.push_back(event); }};
+  ASSERT_TRUE(pose_covariances(flight.problem, flight.blocks, ctx));
+  ASSERT_GE(events.size(), 3U);
+  EXPECT_EQ(events.front().done, 0);
+  EXPECT_EQ(events.back().done, events.back().total);
+  EXPECT_TRUE(std::ranges::is_sorted(events, {}, &ProgressEvent::done));
+}
+
+TEST(PoseCovariances, StopWhenAsked) {
+  Flight flight(12, true);
+  std::stop_source source;
+  source.request_stop();
+  const auto stopped =
+      pose_covariances(flight.problem, flight.blocks, {.stop = source.get_token()});
+  ASSERT_FALSE(stopped);
+  EXPECT_EQ(stopped.error().code, ErrorCode::kCancelled);
 }
 
 }  // namespace
