@@ -1,6 +1,9 @@
 #include "browser.hpp"
 #include "sample_workspace.hpp"
 
+#include <hybridfusion/core/random.hpp>
+#include <hybridfusion/io/ply.hpp>
+
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
@@ -176,6 +179,41 @@ TEST_F(ViewerPage, TheSliderMovesTheLidarCloudAndEveryKeyIsHarmless) {
         std::string("window.dispatchEvent(new KeyboardEvent('keydown', {key: '") + key + "'}))");
   }
   EXPECT_EQ(browser_->evaluate("document.getElementById('keyboard').open"), Json(true));
+  EXPECT_THAT(browser_->errors(), IsEmpty());
+}
+
+/// A roof of many points, where the sample workspace has its fused cloud.
+void write_large_cloud(const std::filesystem::path& file) {
+  Random random(4, "test/large-cloud");
+  PointCloud cloud;
+  for (int i = 0; i < 700'000; ++i) {
+    cloud.points.emplace_back(static_cast<float>(random.uniform(-30.0, 30.0)),
+                              static_cast<float>(random.uniform(-30.0, 30.0)),
+                              0.0F);
+    cloud.colors.push_back({190, 70, 50});
+  }
+  ASSERT_TRUE(write_ply(file, cloud));
+}
+
+TEST_F(ViewerPage, ASlowMachineShowsFewerPointsWhileTheViewMovesAndMoreOnceItRests) {
+  write_sample_workspace(folder_ / "ws");
+  write_large_cloud(folder_ / "ws/fused/fused.ply");
+  start();
+  // Four frames a second from here on; the view is set again with each of them.
+  (void)browser_->evaluate(
+      "(() => { window.requestAnimationFrame = (draw) => setTimeout(() => draw(performance.now()), "
+      "250);"
+      "window.moves = setInterval(() => document.getElementById('frame').click(), 100); })()");
+  (void)browser_->evaluate("new Promise(r => setTimeout(r, 5000))");
+  const auto shown = [&] {
+    return browser_->evaluate("parseInt(document.getElementById('status').textContent)").get<int>();
+  };
+  const int moving = shown();
+  (void)browser_->evaluate("clearInterval(window.moves)");
+  ASSERT_TRUE(browser_->wait_for(kIdle, kPatience_s));
+  EXPECT_GT(moving, 0);
+  EXPECT_LE(moving, 400);
+  EXPECT_GT(shown(), 1.2 * moving);
   EXPECT_THAT(browser_->errors(), IsEmpty());
 }
 

@@ -52,17 +52,7 @@ export class Clouds {
   mode: ColorMode = 'rgb';
   private heights: [number, number] = [0, 1];
 
-  constructor(private readonly onChange: () => void) {
-    this.potree.pointBudget = 3_000_000;
-  }
-
-  /** A machine that draws slowly shows fewer points. @returns whether there is less to draw now. */
-  lighten(): boolean {
-    const LEAST = 400_000;
-    if (this.potree.pointBudget <= LEAST) return false;
-    this.potree.pointBudget = Math.max(LEAST, this.potree.pointBudget / 2);
-    return true;
-  }
+  constructor(private readonly onChange: () => void) {}
 
   async load(scene: SceneInfo): Promise<void> {
     for (const info of scene.layers) {
@@ -208,8 +198,9 @@ export class Clouds {
     }
   }
 
-  /** @returns whether nodes are still on their way. */
-  update(camera: Camera, renderer: WebGLRenderer): boolean {
+  /** Chooses what is shown: at most `points`. @returns whether nodes are still on their way. */
+  update(camera: Camera, renderer: WebGLRenderer, points: number): boolean {
+    this.potree.pointBudget = points;
     const result = this.potree.updatePointClouds(this.visible(), camera, renderer);
     this.bindAttributes();
     return result.nodeLoadPromises.length > 0 || this.layers.some((l) => l.octree.pcoGeometry.numNodesLoading > 0);

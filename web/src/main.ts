@@ -5,6 +5,7 @@ import { MapControls } from 'three/examples/jsm/controls/MapControls.js';
 import { PotreeRenderer } from 'potree-core';
 import { Clouds } from './clouds';
 import { Cameras, Drive, Ruler } from './overlays';
+import { PointBudget } from './point_budget';
 import { SceneInfo, loadScene, matrixOf } from './scene';
 import { Panel, fail } from './panel';
 
@@ -21,8 +22,7 @@ class Viewer {
   private readonly before: Matrix4 | null;
   private readonly after: Matrix4 | null;
   private measuring = false;
-  private lastDrawn = 0; // [ms]
-  private slowFrames = 0; // in a row
+  private readonly budget = new PointBudget();
   private framesLeft = 0; // still to draw; nothing is drawn while nothing changes
 
   constructor(
@@ -34,7 +34,7 @@ class Viewer {
     this.controls.mouseButtons = { LEFT: MOUSE.PAN, MIDDLE: MOUSE.DOLLY, RIGHT: MOUSE.ROTATE };
     this.controls.zoomToCursor = true;
     this.controls.maxPolarAngle = 0.52 * Math.PI;
-    this.controls.addEventListener('change', () => this.redraw());
+    this.controls.addEventListener('change', () => this.moved());
     this.cameras = new Cameras(info.cameras, clouds.center);
     this.drive = new Drive(info);
     this.before = info.registration?.before ? matrixOf(info.registration.before) : null;
@@ -58,8 +58,14 @@ class Viewer {
   }
 
   private redraw(frames = 3): void {
-    this.framesLeft = Math.max(this.framesLeft, frames);
+    this.framesLeft = Math.max(this.framesLeft, this.budget.resting ? 1 : frames);
     this.canvas.setAttribute('aria-busy', 'true');
+  }
+
+  /** Draws what the machine draws quickly, and again in full once nothing moves. */
+  private moved(): void {
+    this.budget.moved();
+    this.redraw();
   }
 
   private listen(): void {
@@ -83,7 +89,7 @@ class Viewer {
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / Math.max(height, 1);
     this.camera.updateProjectionMatrix();
-    this.redraw();
+    this.moved();
   }
 
   private pointer(event: MouseEvent): Vector2 {
@@ -137,6 +143,7 @@ class Viewer {
       .multiply(new Matrix4().makeTranslation(middle.negate()));
     this.clouds.place(lidar, pose);
     this.drive.place(pose, this.clouds.center);
+    this.moved();
   }
 
   /** Middle and extent of the shown clouds without their stray points. */
@@ -177,7 +184,7 @@ class Viewer {
     this.camera.updateProjectionMatrix();
     this.controls.maxDistance = reach * 20;
     this.controls.update();
-    this.redraw();
+    this.moved();
   }
 
   private frame(): void {
@@ -194,7 +201,7 @@ class Viewer {
     this.frame();
     const began = performance.now();
     while (this.clouds.sample().length === 0 && performance.now() - began < WAIT_MS) {
-      this.clouds.update(this.camera, this.renderer);
+      this.clouds.update(this.camera, this.renderer, this.budget.points);
       await new Promise((resolve) => setTimeout(resolve, 30));
     }
     const box = this.extent();
@@ -203,33 +210,25 @@ class Viewer {
     this.draw(performance.now());
   }
 
-  /** Frames that follow each other slowly ask for fewer points. */
-  private watchSpeed(now: number): void {
-    const SLOW_MS = 200;
-    const slow = now - this.lastDrawn > SLOW_MS;
-    this.lastDrawn = now;
-    this.slowFrames = slow ? this.slowFrames + 1 : 0;
-    if (this.slowFrames < 3) return;
-    this.slowFrames = 0;
-    this.clouds.lighten();
-  }
-
   private readonly draw = (now: number): void => {
     requestAnimationFrame(this.draw);
-    if (this.framesLeft <= 0) {
-      this.lastDrawn = now;
-      return;
-    }
-    this.watchSpeed(now);
-    const loading = this.clouds.update(this.camera, this.renderer);
+    if (this.framesLeft <= 0 && this.budget.settle(now)) this.framesLeft = 1;
+    if (this.framesLeft <= 0) return this.budget.idle(now);
+    this.budget.frame(now, this.clouds.visiblePoints());
+    const loading = this.clouds.update(this.camera, this.renderer, this.budget.points);
+    this.panel.status(this.clouds.visiblePoints(), loading || this.budget.unfinished);
+    if (loading && this.budget.resting) return; // this picture takes long: it is drawn once, when all is there
+    this.render();
+    this.framesLeft = loading ? 3 : this.framesLeft - 1;
+    if (this.framesLeft <= 0 && !this.budget.unfinished) this.canvas.setAttribute('aria-busy', 'false');
+  };
+
+  private render(): void {
     this.shader.render({ renderer: this.renderer, scene: this.stage, camera: this.camera, pointClouds: this.clouds.visible() });
     this.renderer.autoClear = false;
     this.renderer.render(this.overlay, this.camera);
     this.renderer.autoClear = true;
-    this.panel.status(this.clouds.visiblePoints(), loading);
-    this.framesLeft = loading ? 3 : this.framesLeft - 1;
-    if (this.framesLeft <= 0) this.canvas.setAttribute('aria-busy', 'false');
-  };
+  }
 }
 
 async function main(): Promise<void> {
