@@ -106,7 +106,9 @@ using enum ExifDirectory;
 [[nodiscard]] std::optional<double> focal_plane_px_per_mm(const Exif& exif) {
   const auto resolution = positive(exif.number(kPhoto, kFocalPlaneXResolution));
   if (!resolution) return std::nullopt;
-  switch (static_cast<int>(exif.number(kPhoto, kFocalPlaneResolutionUnit).value_or(2.0))) {
+  const double unit = exif.number(kPhoto, kFocalPlaneResolutionUnit).value_or(2.0);
+  if (!(unit >= 0.0 && unit < 6.0)) return std::nullopt;
+  switch (static_cast<int>(unit)) {
     case 2:
       return *resolution / 25.4;  // inch
     case 3:

@@ -172,8 +172,8 @@ std::string to_yaml(const SensorConfig& config) {
   const auto put = [&](const char* key, const auto& value) {
     if (value) out << YAML::Key << key << YAML::Value << *value;
   };
-  const auto put_numbers = [&](const char* key, std::vector<double> numbers) {
-    out << YAML::Key << key << YAML::Value << YAML::Flow << std::move(numbers);
+  const auto put_numbers = [&](const char* key, const std::vector<double>& numbers) {
+    out << YAML::Key << key << YAML::Value << YAML::Flow << numbers;
   };
   out << YAML::BeginMap;
   put("lidar_topic", config.lidar_topic);

@@ -65,6 +65,25 @@ TEST(PhotoMetadata, ExifOfEitherByteOrderIsReadWithFullPrecision) {
   }
 }
 
+TEST(PhotoMetadata, FocalPlaneResolutionIsReadInAnyKnownUnit) {
+  const TempFolder folder;
+  const auto resolution = [&](std::uint32_t unit) {
+    ExifBuilder exif(std::endian::little);
+    exif.rationals(Tag::kPhoto, 0xa20e, {{5000, 2}});
+    exif.rationals(Tag::kPhoto, 0xa210, {{unit, 1}});  // a short by the standard; beyond int here
+    const auto photo = read_photo_metadata(folder.file("a.jpg", sample_jpeg(exif.build())));
+    EXPECT_TRUE(photo);
+    return photo->focal_plane_px_per_mm;
+  };
+  EXPECT_DOUBLE_EQ(resolution(2).value(), 2500.0 / 25.4);
+  EXPECT_DOUBLE_EQ(resolution(3).value(), 250.0);
+  EXPECT_DOUBLE_EQ(resolution(4).value(), 2500.0);
+  EXPECT_DOUBLE_EQ(resolution(5).value(), 2.5e6);
+  for (const std::uint32_t unknown : {0U, 1U, 6U, 4'000'000'000U}) {
+    EXPECT_EQ(resolution(unknown), std::nullopt) << unknown;
+  }
+}
+
 TEST(PhotoMetadata, ImpossiblePositionsAreAbsent) {
   const TempFolder folder;
   const auto position =
