@@ -114,6 +114,19 @@ TEST(OneSheet, TwoPointsStayAsTheyAre) {
   EXPECT_EQ(sheet.sigmas_m, two.sigmas_m);
 }
 
+TEST(VoxelSums, MeanColorIsThatOfTheFirst8192Depths) {
+  VoxelSums sums;
+  sums.count_color({10, 0, 255});
+  sums.count_color({11, 0, 255});
+  sums.count_color({11, 1, 255});
+  EXPECT_EQ(sums.mean_color(), (Rgb8{11, 0, 255}));
+  VoxelSums many;
+  for (int i = 0; i < 8192; ++i) many.count_color({255, 254, 0});
+  for (int i = 0; i < 8192; ++i) many.count_color({0, 0, 255});
+  EXPECT_EQ(many.mean_color(), (Rgb8{255, 254, 0}));
+  EXPECT_EQ(many.count, 16384);
+}
+
 /// A table whose voxels are seen from above.
 class Voxels {
  public:

@@ -27,12 +27,7 @@ PointCloud cloud_of(const VoxelTable& voxels, double voxel_m, int min_count) {
     cloud.points.emplace_back(
         (corner + (sums->offset / sums->weight).cast<double>()).cast<float>());
     cloud.normals.emplace_back(sums->towards_photo.stableNormalized());
-    const Eigen::Vector3f color = sums->color / static_cast<float>(sums->count);
-    Rgb8 rgb{};
-    for (int c = 0; c < 3; ++c) {
-      rgb[static_cast<std::size_t>(c)] = static_cast<std::uint8_t>(std::lround(color[c]));
-    }
-    cloud.colors.push_back(rgb);
+    cloud.colors.push_back(sums->mean_color());
     // Depths of one photo share its matching error: count their weights once per photo at most.
     cloud.sigmas_m.push_back(std::sqrt(static_cast<float>(sums->count) / sums->weight));
     cloud.confidences.push_back(static_cast<float>(sums->count));
@@ -61,9 +56,7 @@ void DepthFusion::add(const DepthMap& map) {
       sums.weight += weight;
       sums.offset += weight * (point - voxel_m_ * index.cast<double>()).cast<float>();
       sums.towards_photo -= ray.normalized().cast<float>();
-      const Rgb8& rgb = map.rgb.at(x, y);
-      sums.color += Eigen::Vector3f(rgb[0], rgb[1], rgb[2]);
-      ++sums.count;
+      sums.count_color(map.rgb.at(x, y));
     }
   }
 }

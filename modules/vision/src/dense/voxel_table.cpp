@@ -4,8 +4,34 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 namespace hybridfusion {
+namespace {
+
+constexpr unsigned kColorBits = 21;
+constexpr std::int32_t kMostColors = 8192;
+static_assert(255 * kMostColors < 1 << kColorBits);
+
+}  // namespace
+
+void VoxelSums::count_color(const Rgb8& color) {
+  if (count < kMostColors) {
+    for (unsigned c = 0; c < 3; ++c) colors += std::uint64_t{color[c]} << (c * kColorBits);
+  }
+  ++count;
+}
+
+Rgb8 VoxelSums::mean_color() const {
+  constexpr std::uint64_t kMask = (1U << kColorBits) - 1;
+  const auto counted = static_cast<float>(std::min(count, kMostColors));
+  Rgb8 mean{};
+  for (unsigned c = 0; c < 3; ++c) {
+    const auto sum = static_cast<float>(colors >> (c * kColorBits) & kMask);
+    mean[c] = static_cast<std::uint8_t>(std::lround(sum / counted));
+  }
+  return mean;
+}
 
 /// The key's slot or the first free one on its way.
 std::size_t VoxelTable::slot_of(std::uint64_t key) const {

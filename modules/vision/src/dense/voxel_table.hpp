@@ -1,5 +1,7 @@
 #pragma once
 
+#include <hybridfusion/core/point_cloud.hpp>
+
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -8,15 +10,21 @@
 
 namespace hybridfusion {
 
-/// Weighted sums of the depths that fall into one voxel.
+/// Weighted sums of the depths that fall into one voxel: 48 bytes, of which a city takes millions.
 struct VoxelSums {
   std::uint64_t key = 0;
   Eigen::Vector3f offset = Eigen::Vector3f::Zero();  ///< From the voxel's corner, weighted.
   float weight = 0.0F;
   Eigen::Vector3f towards_photo = Eigen::Vector3f::Zero();
   std::int32_t count = 0;
-  Eigen::Vector3f color = Eigen::Vector3f::Zero();
+  std::uint64_t colors = 0;  ///< Sums of red, green and blue, 21 bits each.
+
+  /// Counts a depth of this colour.
+  void count_color(const Rgb8& color);
+  /// Of the depths counted, the first 8192 if there are more.
+  [[nodiscard]] Rgb8 mean_color() const;
 };
+static_assert(sizeof(VoxelSums) == 48);
 
 /// Sums by voxel key in order of first use: open addressing over indices into blocks that never
 /// move, so that growing copies no sums.

@@ -4,7 +4,6 @@
 #include <hybridfusion/geometry/voxel_grid.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace hybridfusion {
@@ -17,9 +16,7 @@ void PreviewCloud::merge(const PhotoPoints& points, const Rigid3& enu_from_camer
     const VoxelIndex index = (point / voxel_m_).array().floor().cast<int>();
     VoxelSums& sums = voxels_[voxel_key(index)];
     sums.offset += (point - voxel_m_ * index.cast<double>()).cast<float>();
-    const Rgb8& rgb = points.colors[i];
-    sums.color += Eigen::Vector3f(rgb[0], rgb[1], rgb[2]);
-    ++sums.count;
+    sums.count_color(points.colors[i]);
   }
 }
 
@@ -60,12 +57,7 @@ PointCloud PreviewCloud::cloud() const {
     const auto count = static_cast<float>(sums->count);
     const Eigen::Vector3d corner = voxel_m_ * voxel_of_key(sums->key).cast<double>();
     cloud.points.emplace_back((corner + (sums->offset / count).cast<double>()).cast<float>());
-    Rgb8 rgb{};
-    for (int c = 0; c < 3; ++c) {
-      rgb[static_cast<std::size_t>(c)] =
-          static_cast<std::uint8_t>(std::lround(sums->color[c] / count));
-    }
-    cloud.colors.push_back(rgb);
+    cloud.colors.push_back(sums->mean_color());
     cloud.confidences.push_back(count);
   }
   return cloud;
