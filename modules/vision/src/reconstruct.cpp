@@ -1,5 +1,6 @@
 #include "matched_photos.hpp"
 
+#include <hybridfusion/core/memory.hpp>
 #include <hybridfusion/vision/gnss_ingest.hpp>
 #include <hybridfusion/vision/reconstruct.hpp>
 
@@ -24,6 +25,7 @@ Expected<Reconstruction> run(std::span<const Photo> photos,
   const GnssIngest gnss =
       ingested ? *std::move(ingested) : without_gnss(metadata, ingested.error().message);
   HF_TRY(const MatchedPhotos matched, match_photos(photos, gnss, options, ctx, cache));
+  return_freed_memory();  // decoded photos and the matcher's scores
   return pose_photos(matched, metadata, gnss, control, options, ctx);
 }
 
