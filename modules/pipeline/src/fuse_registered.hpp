@@ -12,7 +12,7 @@ namespace hybridfusion {
 
 /// Two clouds and the accepted pose between them.
 struct RegisteredClouds {
-  const PointCloud& vision;
+  PointCloud vision;
   PointCloud lidar;
   const std::vector<Eigen::Vector3d>& sensor_positions;  ///< In the LiDAR map.
   const RegistrationResult& result;
