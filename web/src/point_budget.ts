@@ -9,7 +9,9 @@ const REST_MS = 300; // without a movement
 /** As many as this machine draws smoothly while the view moves; more of them once it rests. */
 export class PointBudget {
   private moving = MOST;
-  private speed = 0; // points a millisecond, the best of late
+  // Of the frames of late together: one alone may end before what it drew is on the screen.
+  private drawn = 0;
+  private taken_ms = 0;
   private lastFrame = 0; // [ms]
   private slowFrames = 0; // in a row
   private restsFrom = 0; // [ms]
@@ -39,7 +41,8 @@ export class PointBudget {
     this.lastFrame = now;
     this.restsFrom = now + REST_MS;
     if (this.atRest) return;
-    this.speed = Math.max(0.9 * this.speed, shown / Math.max(taken_ms, 1));
+    this.drawn = 0.8 * this.drawn + shown;
+    this.taken_ms = 0.8 * this.taken_ms + taken_ms;
     this.slowFrames = taken_ms > SLOW_MS ? this.slowFrames + 1 : 0;
     if (this.slowFrames < 3) return;
     this.slowFrames = 0;
@@ -59,6 +62,6 @@ export class PointBudget {
   }
 
   private still(): number {
-    return Math.min(MOST, Math.max(this.moving, STILL_MS * this.speed));
+    return Math.min(MOST, Math.max(2 * this.moving, (STILL_MS * this.drawn) / Math.max(this.taken_ms, 1)));
   }
 }
