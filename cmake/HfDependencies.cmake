@@ -19,6 +19,7 @@ find_package(PCL 1.13 REQUIRED COMPONENTS common features registration filters)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(LZ4 REQUIRED IMPORTED_TARGET liblz4)
 pkg_check_modules(ZSTD REQUIRED IMPORTED_TARGET libzstd)
+pkg_check_modules(PROJ REQUIRED IMPORTED_TARGET proj)  # comes with libgdal-dev
 pkg_check_modules(SQLITE3 REQUIRED IMPORTED_TARGET sqlite3)
 pkg_check_modules(HTTPLIB REQUIRED IMPORTED_TARGET cpp-httplib)
 if(HF_BUILD_APPS)

@@ -9,6 +9,9 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -29,6 +32,9 @@ struct ConvertArguments {
   std::string crs = {};
   std::string encoding = "default";
   std::string las_version = "1.4";
+  std::string columns = {};
+  bool scalar_prefix = false;
+  bool allow_ballpark = false;
   SurfaceRasterOptions raster = {};
 };
 
@@ -102,18 +108,30 @@ int convert_trajectory(const ConvertArguments& arguments, Session& session) {
   return std::nullopt;
 }
 
+/// "x,y,z"
+[[nodiscard]] std::vector<std::string> names_of(const std::string& list) {
+  std::vector<std::string> names;
+  std::istringstream in(list);
+  for (std::string name; std::getline(in, name, ',');) names.push_back(name);
+  return names;
+}
+
 Expected<CloudConversion> conversion_of(const ConvertArguments& arguments) {
   CloudConversion conversion = {.in = arguments.in,
                                 .out = optional_path(arguments.out),
                                 .dsm = optional_path(arguments.dsm),
                                 .ortho = optional_path(arguments.ortho),
                                 .format = {.encoding = kEncodings.at(arguments.encoding),
-                                           .las_version = kLasVersions.at(arguments.las_version)},
+                                           .las_version = kLasVersions.at(arguments.las_version),
+                                           .ply_scalar_prefix = arguments.scalar_prefix,
+                                           .text_in_crs_units = !arguments.crs.empty()},
+                                .columns = names_of(arguments.columns),
                                 .raster = arguments.raster,
                                 .keep_placed = arguments.origin.empty() && arguments.crs.empty()};
   if (const auto origin_path = find_origin(arguments)) {
     HF_TRY(const GeodeticOrigin origin, read_origin(*origin_path));
-    conversion.georeference = Georeference{.origin = origin, .crs = arguments.crs};
+    conversion.georeference = Georeference{
+        .origin = origin, .crs = arguments.crs, .allow_ballpark = arguments.allow_ballpark};
   } else if (!arguments.crs.empty()) {
     return fail(
         ErrorCode::kInvalidOptions,
@@ -176,7 +194,8 @@ int convert(const ConvertArguments& arguments, Session& session) {
 void add_convert_command(CLI::App& app, Command& chosen) {
   CLI::App* command = app.add_subcommand(
       "convert",
-      "Formats by extension. Clouds: reads .ply .pcd .las .xyz .txt .csv .pts, writes .ply .pcd "
+      "Formats by extension. Clouds: reads .ply .pcd .las .xyz .txt .csv .asc .pts, writes .ply "
+      ".pcd "
       ".xyz .las, of any size; of .ply and .pcd, coordinates of 10 km and more are taken relative "
       "to "
       "whole kilometres. Trajectories: .tum and .kitti. Maps from above: --dsm and --ortho.");
@@ -195,6 +214,14 @@ void add_convert_command(CLI::App& app, Command& chosen) {
                    "Of .las: 1.2 and 1.3 for old programs (system also as GeoTIFF keys), 1.4")
       ->check(CLI::IsMember(kLasVersions))
       ->capture_default_str();
+  command->add_option("--columns",
+                      arguments->columns,
+                      "Of a text cloud: the names of its columns, for example x,y,z,intensity; '-' "
+                      "leaves one out (default: from its heading or what they hold)");
+  command->add_flag("--scalar-prefix",
+                    arguments->scalar_prefix,
+                    "Of .ply: scalars are named scalar_NAME, without which CloudCompare 2.11 drops "
+                    "them");
   command->add_option("--dsm", arguments->dsm, "GeoTIFF of the surface height to write");
   command->add_option("--ortho", arguments->ortho, "GeoTIFF of the colours to write");
   command->add_option("--cell-m", arguments->raster.cell_m, "Cell of these [m]")
@@ -204,15 +231,19 @@ void add_convert_command(CLI::App& app, Command& chosen) {
                       arguments->origin,
                       "origin.json of a cloud in metres east, north, up, which is then projected "
                       "(for --crs, --dsm and --ortho default: that of its workspace)");
-  command->add_option("--crs",
-                      arguments->crs,
-                      "Projected system, EPSG:n or EPSG:n+m (default: UTM zone of the origin, "
-                      "ellipsoidal heights)");
+  command->add_option(
+      "--crs",
+      arguments->crs,
+      "Projected system, EPSG:n or EPSG:n+m, also in feet (default: UTM zone of the "
+      "origin, ellipsoidal heights)");
+  command->add_flag("--allow-ballpark",
+                    arguments->allow_ballpark,
+                    "Also a --crs that PROJ reaches with no better than 5 m, or without its grid");
   command->add_option(
       "--times", arguments->times, "Times of the .kitti poses, one on each line, read or written");
   command->footer(
       help_footer("hybridfusion convert result/fused/fused.ply --dsm dsm.tif --ortho ortho.tif",
-                  "IN: .ply .pcd .las .xyz .txt .csv .pts, or a trajectory .tum .kitti",
+                  "IN: .ply .pcd .las .xyz .txt .csv .asc .pts, or a trajectory .tum .kitti",
                   "OUT: .ply .pcd .xyz .las, .tum .kitti; replaced when it is complete"));
   command->callback([arguments, &chosen] {
     chosen = [arguments](Session& session) { return convert(*arguments, session); };

@@ -16,6 +16,8 @@ namespace {
 
 struct DoctorArguments {
   std::string images = {};
+  std::string geo = {};
+  std::string gcp = {};
   std::string bag = {};
   std::string sensors = {};
   std::string workspace = {};
@@ -56,6 +58,8 @@ int run_doctor(const DoctorArguments& arguments, Session& session) {
     return kDone;
   }
   const auto report = examine({.images = optional_path(arguments.images),
+                               .geo_tags = optional_path(arguments.geo),
+                               .control = optional_path(arguments.gcp),
                                .bag = optional_path(arguments.bag),
                                .sensors = optional_path(arguments.sensors),
                                .workspace = optional_path(arguments.workspace)},
@@ -75,20 +79,30 @@ int run_doctor(const DoctorArguments& arguments, Session& session) {
 void add_doctor_command(CLI::App& app, Command& chosen) {
   CLI::App* command = app.add_subcommand(
       "doctor",
-      "Finds what would go wrong before an hour is spent. Reads photos, recording and sensors.yaml "
+      "Finds what would go wrong before an hour is spent. Reads photos, their positions and ground "
+      "control, recording and sensors.yaml "
       "as far as they are given, looks at memory, disk and workspace, and tells each problem with "
       "cause and remedy. Writes nothing. Exit code 3 when an input would fail the run, 5 when only "
       "memory, disk or workspace would; warnings alone are 0.");
   auto arguments = std::make_shared<DoctorArguments>();
-  command->add_option("--images", arguments->images, "Folder of JPEG photos");
+  CLI::Option* images = command->add_option(
+      "--images", arguments->images, "Folder of JPEG photos, searched with its subfolders");
+  command
+      ->add_option("--geo", arguments->geo, "Positions of the photos (default: geo.txt in IMAGES)")
+      ->needs(images);
+  command
+      ->add_option(
+          "--gcp", arguments->gcp, "Ground control points (default: gcp_list.txt in IMAGES)")
+      ->needs(images);
   command->add_option("--bag", arguments->bag, "ROS 1 bag with LiDAR, IMU and GNSS");
   command->add_option(
       "--sensors", arguments->sensors, "sensors.yaml (default: the one beside the bag)");
   command->add_option("workspace", arguments->workspace, "Workspace that the run would write");
   command->add_flag("--list", arguments->list, "Print every possible finding as a table, and end");
-  command->footer(help_footer("hybridfusion doctor --images flight/ --bag street.bag result/",
-                              "photos, recording, sensors.yaml; WORKSPACE/run.json",
-                              "nothing; the findings on stdout"));
+  command->footer(
+      help_footer("hybridfusion doctor --images flight/ --bag street.bag result/",
+                  "photos, geo.txt, gcp_list.txt, recording, sensors.yaml; WORKSPACE/run.json",
+                  "nothing; the findings on stdout"));
   command->callback([arguments, &chosen] {
     chosen = [arguments](Session& session) { return run_doctor(*arguments, session); };
   });

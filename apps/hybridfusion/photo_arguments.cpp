@@ -14,13 +14,15 @@ void add_photo_options(CLI::App& command, PhotoArguments& arguments) {
       .add_option(
           "--images",
           arguments.images,
-          "Folder of JPEG photos; without GNSS the result has an arbitrary frame (exit code 4)")
+          "Folder of JPEG photos, searched with its subfolders; without GNSS the result has an "
+          "arbitrary frame (exit code 4)")
       ->required();
-  command.add_option("--poses",
-                     arguments.poses,
-                     "Folder of a COLMAP text model (cameras.txt, images.txt, points3D.txt) whose "
-                     "poses are used as they are; placed by the photos' GNSS, or by origin.json "
-                     "beside it when it is in metres east, north, up");
+  command.add_option(
+      "--poses",
+      arguments.poses,
+      "Folder of a COLMAP model (cameras, images and points3D as .txt or .bin) whose "
+      "poses are used as they are; placed by the photos' GNSS, or by origin.json "
+      "beside it when it is in metres east, north, up");
   command.add_option("--geo",
                      arguments.geo,
                      "Positions that replace those in the photos: geo.txt of OpenDroneMap, or "

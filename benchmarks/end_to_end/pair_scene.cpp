@@ -106,8 +106,8 @@ Expected<void> add_drive(const World& world,
                          SceneClouds& clouds) {
   const StreetPlan& streets = world.terrain.plan();
   Random random(options.seed, "benchmark/start");
-  const DrivePlan plan =
-      plan_drive(streets, {0, 1, 0, 1}, simulation.drive.loop_overlap_m, random.uniform(0.05, 0.9));
+  const DrivePlan plan = plan_drive(
+      streets, {0, 1, 0, 1}, simulation.drive.loop_overlap_m, {.share = random.uniform(0.05, 0.9)});
   HF_TRY(const VehicleMotion motion, drive(plan, world.terrain, simulation.drive, options.seed, 0));
   LidarSetup setup{.options = simulation.lidar, .seed = options.seed};
   setup.body_from_lidar.translation = {0.3, 0.0, 1.0};

@@ -116,12 +116,15 @@ Expected<std::size_t> write_pairs(const PhotoFolder& folder,
   return pairs.size();
 }
 
-Expected<Reconstruction> poses_of(const PhotoFolder& folder,
+/// With given poses the photos become those of its cameras.
+Expected<Reconstruction> poses_of(PhotoFolder& folder,
                                   const Arguments& arguments,
                                   const ReconstructionOptions& options,
                                   Json& json) {
   if (!arguments.poses.empty()) {
-    return import_poses(arguments.poses, folder.photos, options.gnss);
+    HF_TRY(PosedPhotos posed, import_poses(arguments.poses, folder.photos, {.gnss = options.gnss}));
+    folder.photos = std::move(posed.photos);
+    return std::move(posed.reconstruction);
   }
   json["features"] = feature_figures(folder, options.features);
   HF_TRY(const std::size_t num_pairs, write_pairs(folder, options, arguments.pairs_file));
@@ -248,7 +251,7 @@ Expected<Json> measure(const Arguments& arguments) {
         options, setting.substr(0, equals), setting.substr(std::min(equals + 1, setting.size())));
     if (!set) return std::unexpected(set.error());
   }
-  HF_TRY(const PhotoFolder folder, open_photo_folder(arguments.images));
+  HF_TRY(PhotoFolder folder, open_photo_folder(arguments.images));
   Json json{{"images", arguments.images}, {"photos", folder.photos.size()}};
   HF_TRY(const Reconstruction reconstruction,
          poses_of(folder, arguments, options.vision.reconstruction, json));

@@ -32,5 +32,16 @@ TEST(VoxelKey, SeparatesNeighboursAcrossTheOrigin) {
   EXPECT_LT(voxel_key({-1, 5, 5}), voxel_key({0, -5, -5}));
 }
 
+TEST(VoxelMean, CloudsFarFromTheOriginOrWideKeepTheirPlaces) {
+  // At 0.05 m the 21 bits of a key reach 52 km: 419 km off, and 105 km apart, cells would coincide.
+  PointCloud cloud;
+  cloud.points = {{419000.0F, 0.0F, 0.0F}, {419000.02F, 0.0F, 0.0F}, {-419000.0F, 5.0F, 0.0F}};
+  cloud.points.emplace_back(419000.0F - 0.05F * static_cast<float>(1 << 21), 0.0F, 0.0F);
+  const PointCloud mean = voxel_mean(cloud, 0.05);
+  ASSERT_EQ(mean.size(), 3U);
+  EXPECT_EQ(mean.points.front().x(), -419000.0F);
+  EXPECT_NEAR(mean.points.back().x(), 419000.0F, 0.05F);
+}
+
 }  // namespace
 }  // namespace hybridfusion

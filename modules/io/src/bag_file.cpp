@@ -19,6 +19,15 @@ constexpr std::size_t kMaxWarnings = 50;
 [[nodiscard]] std::pair<std::string_view, std::string_view> describe_other(std::string_view start) {
   if (start.starts_with("\x1f\x8b")) return {"compressed with gzip", "unpack it first (gunzip)"};
   if (start.starts_with("BZh")) return {"compressed with bzip2", "unpack it first (bunzip2)"};
+  for (const std::string_view magic :
+       {"\xd4\xc3\xb2\xa1", "\xa1\xb2\xc3\xd4", "\x4d\x3c\xb2\xa1", "\x0a\x0d\x0d\x0a"}) {
+    if (start.starts_with(magic)) {
+      return {"a capture of network packets (pcap)",
+              "decode it with the driver of the LiDAR (velodyne_pointcloud, ouster_ros, "
+              "hesai_ros_driver, rslidar_sdk: each replays pcap files) and record its points and "
+              "the IMU"};
+    }
+  }
   if (start.starts_with("#ROSBAG") || start.starts_with("#ROSRECORD")) {
     return {"a bag of an older format than 2.0", "convert it with 'rosbag fix'"};
   }

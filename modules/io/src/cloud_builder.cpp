@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -47,7 +48,11 @@ CloudColumn cloud_column(std::string_view name, ScalarType type) {
       127.0, 255.0, 32767.0, 65535.0, 255.0, 255.0, 0.0, 0.0, 255.0, 255.0};
   return {.name = std::string(name),
           .floating = !is_integer(type),
-          .integer_max = kMax[static_cast<std::size_t>(type)]};  // wider integers count to 255 too
+          .integer_max = kMax[static_cast<std::size_t>(type)],  // wider integers count to 255 too
+          // MeshLab writes an alpha to every colour.
+          .uncertain = lower_case(name) == "alpha",
+          .type = type,
+          .unsaid = 255.0};
 }
 
 CloudBuilder::CloudBuilder(std::span<const CloudColumn> columns,
@@ -61,18 +66,72 @@ CloudBuilder::CloudBuilder(std::span<const CloudColumn> columns,
       color_{find_column(columns, {"red", "diffuse_red", "r"}),
              find_column(columns, {"green", "diffuse_green", "g"}),
              find_column(columns, {"blue", "diffuse_blue", "b"})},
-      intensity_(find_column(columns, {"intensity", "reflectivity"})),
-      time_(find_column(columns, {"time", "timestamp", "gps_time", "gpstime"})),
+      intensity_(find_column(columns, {"intensity", "intensities", "reflectivity", "reflectance"})),
+      time_(find_column(columns, {"time", "timestamp"})),
       sigma_(find_column(columns, {"sigma"})),
       confidence_(find_column(columns, {"confidence"})),
       source_(find_column(columns, {"source"})),
       given_(traits) {
   if (complete(color_)) red_ = columns[color_[0]];
   if (intensity_ >= 0) uncertain_intensity_ = columns[intensity_].uncertain;
+  if (time_ >= 0) time_column_ = columns[time_];
+  if (given_ && !given_->time_is_seconds) time_ = -1;
+  find_scalars(columns);
   if (!given_) return;
   offset_m_ = given_->offset_m;
   if (given_->color_max == 0.0) color_ = {-1, -1, -1};
   if (!given_->has_intensity) intensity_ = -1;
+}
+
+void CloudBuilder::find_scalars(std::span<const CloudColumn> columns) {
+  const auto fills_channel = [this](int column) {
+    const auto among = [column](const std::array<int, 3>& part) {
+      return complete(part) && std::ranges::find(part, column) != part.end();
+    };
+    return among(position_) || among(normal_) || among(color_) || column == intensity_ ||
+           column == time_ || column == sigma_ || column == confidence_ || column == source_;
+  };
+  for (int i = 0; i < static_cast<int>(columns.size()); ++i) {
+    if (columns[i].name.empty() || columns[i].name == "_" || fills_channel(i)) continue;
+    CloudColumn column = columns[i];
+    const auto taken = [this](const std::string& name) {
+      return std::ranges::any_of(scalar_columns_,
+                                 [&name](const CloudColumn& c) { return c.name == name; });
+    };
+    for (int k = 2; taken(column.name); ++k) column.name = fmt::format("{}_{}", columns[i].name, k);
+    const auto wanted = [&column](const ScalarTrait& trait) { return trait.name == column.name; };
+    if (given_ && std::ranges::none_of(given_->scalars, wanted)) continue;
+    scalar_columns_.push_back(std::move(column));
+    scalar_from_.push_back(i);
+  }
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  smallest_.assign(scalar_from_.size(), kInfinity);
+  largest_.assign(scalar_from_.size(), -kInfinity);
+  if (given_) scalars_.resize(scalar_from_.size());
+}
+
+void CloudBuilder::add_scalars(std::span<const double> row) {
+  for (std::size_t i = 0; i < scalar_from_.size(); ++i) {
+    const double value = row[scalar_from_[i]];
+    if (given_) {
+      scalars_[i].push_back(value);
+    } else if (!std::isnan(value)) {
+      smallest_[i] = std::min(smallest_[i], value);
+      largest_[i] = std::max(largest_[i], value);
+    }
+  }
+}
+
+std::vector<std::string> CloudBuilder::channels() const {
+  std::vector<std::string> names;
+  if (complete(normal_)) names.emplace_back("normals");
+  if (traits().color_max > 0.0) names.emplace_back("colours");
+  if (traits().has_intensity) names.emplace_back("intensity");
+  if (time_ >= 0 && traits().time_is_seconds && largest_time_ > 0.0) names.emplace_back("time");
+  if (sigma_ >= 0) names.emplace_back("sigma");
+  if (confidence_ >= 0) names.emplace_back("confidence");
+  if (source_ >= 0) names.emplace_back("source");
+  return names;
 }
 
 bool has_coordinates(std::span<const CloudColumn> columns) {
@@ -106,6 +165,9 @@ void CloudBuilder::reserve(std::size_t count) {
 void CloudBuilder::add_color(std::span<const double> row) {
   const Eigen::Vector3d color = gather(row, color_);
   largest_color_ = std::max(largest_color_, color.maxCoeff<Eigen::PropagateNumbers>());
+  // 16 bits hold 8 as multiples of 257.
+  lossy_color_ = lossy_color_ || (red_.integer_max > 255.0 &&
+                                  (color - 257.0 * (color / 257.0).array().round().matrix()).any());
   if (!scale_is_known()) {
     // Written so that NaN becomes 0.
     raw_colors_.push_back(
@@ -145,9 +207,15 @@ bool CloudBuilder::add(std::span<const double> row) {
   const auto finite = [&row](int column) { return std::isfinite(row[column]) ? row[column] : 0.0; };
   if (intensity_ >= 0) {
     cloud_.intensities.push_back(static_cast<float>(finite(intensity_)));
-    largest_intensity_ = std::max(largest_intensity_, cloud_.intensities.back());
+    const float intensity = cloud_.intensities.back();
+    largest_intensity_ = std::max(largest_intensity_, intensity);
+    smallest_intensity_ = std::min(smallest_intensity_, intensity);
+    fractional_intensity_ = fractional_intensity_ || intensity != std::round(intensity);
   }
-  if (time_ >= 0) cloud_.times_s.push_back(finite(time_));
+  if (time_ >= 0) {
+    cloud_.times_s.push_back(finite(time_));
+    largest_time_ = std::max(largest_time_, cloud_.times_s.back());
+  }
   if (sigma_ >= 0) cloud_.sigmas_m.push_back(static_cast<float>(finite(sigma_)));
   if (confidence_ >= 0) cloud_.confidences.push_back(static_cast<float>(finite(confidence_)));
   if (source_ >= 0) {
@@ -155,18 +223,41 @@ bool CloudBuilder::add(std::span<const double> row) {
                              : row[source_] == 2.0 ? PointSource::kInterpolated
                                                    : PointSource::kLidar);
   }
+  add_scalars(row);
   return true;
 }
 
 CloudTraits CloudBuilder::traits() const {
+  constexpr double kMostSeconds = 1e11;  // the year 5138; larger counts are nanoseconds
   CloudTraits traits = {
       .offset_m = offset_m_.value_or(Eigen::Vector3d::Zero()),
       .has_intensity = intensity_ >= 0 && (!uncertain_intensity_ || largest_intensity_ > 0.0F),
-      .largest_intensity = largest_intensity_};
+      .largest_intensity = largest_intensity_,
+      .smallest_intensity = smallest_intensity_,
+      .fractional_intensity = fractional_intensity_,
+      .time_is_seconds = largest_time_ < kMostSeconds};
+  if (!traits.time_is_seconds) {
+    traits.scalars.push_back(
+        {.name = time_column_.name, .type = time_column_.type, .largest = largest_time_});
+  }
+  for (std::size_t i = 0; i < scalar_columns_.size(); ++i) {
+    const CloudColumn& column = scalar_columns_[i];
+    const bool constant = !(smallest_[i] < largest_[i]);
+    const bool unsaid = smallest_[i] == 0.0 || smallest_[i] == column.unsaid;
+    if (column.uncertain && constant && unsaid) continue;
+    traits.scalars.push_back({.name = column.name,
+                              .type = column.type,
+                              .description = column.description,
+                              .smallest = smallest_[i],
+                              .largest = largest_[i]});
+  }
   if (!complete(color_) || (red_.uncertain && largest_color_ <= 0.0)) return traits;
   traits.color_max = red_.integer_max;
-  if (red_.floating) traits.color_max = largest_color_ <= 1.0 ? 1.0 : 255.0;
+  if (red_.floating) {
+    traits.color_max = largest_color_ <= 1.0 ? 1.0 : largest_color_ <= 255.0 ? 255.0 : 65535.0;
+  }
   if (red_.uncertain && largest_color_ <= 255.0) traits.color_max = 255.0;
+  traits.lossy_color = traits.color_max > 255.0 && lossy_color_;
   return traits;
 }
 
@@ -200,7 +291,7 @@ Expected<PointCloud> CloudBuilder::finish() && {
   return std::move(cloud_);
 }
 
-Expected<PointCloud> CloudBuilder::take() {
+Expected<CloudBatch> CloudBuilder::take() {
   HF_CHECK(given_.has_value());
   if (largest_local_rounding_m_ >= kMaxRounding_m) {
     return fail(ErrorCode::kParse,
@@ -208,7 +299,28 @@ Expected<PointCloud> CloudBuilder::take() {
                             "{:.3f} m; cut the cloud into tiles first",
                             largest_local_rounding_m_));
   }
-  return std::exchange(cloud_, {});
+  CloudBatch batch;
+  static_cast<PointCloud&>(batch) = std::exchange(cloud_, {});
+  for (std::size_t i = 0; i < scalar_columns_.size(); ++i) {
+    batch.scalars.push_back({.name = scalar_columns_[i].name,
+                             .type = scalar_columns_[i].type,
+                             .description = scalar_columns_[i].description,
+                             .values = std::exchange(scalars_[i], {})});
+  }
+  return batch;
+}
+
+void append(CloudBatch& a, CloudBatch b) {
+  if (a.empty()) {
+    a = std::move(b);
+    return;
+  }
+  static_cast<PointCloud&>(a) = concatenate(std::move(static_cast<PointCloud&>(a)), b);
+  HF_CHECK(b.empty() || a.scalars.size() == b.scalars.size());
+  for (std::size_t i = 0; i < b.scalars.size(); ++i) {
+    std::vector<double>& values = a.scalars[i].values;
+    values.insert(values.end(), b.scalars[i].values.begin(), b.scalars[i].values.end());
+  }
 }
 
 void CloudBuilder::forget_points() {

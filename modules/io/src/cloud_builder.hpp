@@ -24,6 +24,19 @@ struct CloudColumn {
   /// The format has the field whether or not it is used, at a scale that writers disagree on: zero
   /// throughout is no channel, and a colour that never exceeds 255 counts to 255.
   bool uncertain = false;
+  ScalarType type = ScalarType::kFloat64;
+  /// Of an uncertain column that is none of the channels: the value that says as little as zero.
+  double unsaid = 0.0;
+  std::string description = {};
+};
+
+/// A column that fills no channel.
+struct ScalarTrait {
+  std::string name = {};
+  ScalarType type = ScalarType::kFloat64;
+  std::string description = {};
+  double smallest = 0.0;
+  double largest = 0.0;
 };
 
 /// What only the whole file tells of its points.
@@ -32,6 +45,11 @@ struct CloudTraits {
   double color_max = 0.0;                              ///< Full scale; 0: no colours.
   bool has_intensity = false;
   float largest_intensity = 0.0F;
+  float smallest_intensity = 0.0F;
+  bool fractional_intensity = false;
+  bool lossy_color = false;  ///< 16 bits that 8 do not hold.
+  bool time_is_seconds = true;
+  std::vector<ScalarTrait> scalars = {};
 };
 
 [[nodiscard]] CloudColumn cloud_column(std::string_view name, ScalarType type);
@@ -44,7 +62,7 @@ inline constexpr double kMaxRounding_m = 0.005;
 [[nodiscard]] Eigen::Vector3d whole_kilometres(const Eigen::Vector3d& point_m);
 
 /// Turns rows of named scalars into a PointCloud. Names are compared in lower case without
-/// CloudCompare's prefix "scalar_"; columns nobody knows are ignored.
+/// CloudCompare's prefix "scalar_"; columns nobody knows become scalars of take().
 class CloudBuilder {
  public:
   /// @param traits  Of the whole file; absent: found by the builder, which then must be given all
@@ -62,14 +80,18 @@ class CloudBuilder {
   [[nodiscard]] std::size_t size() const { return cloud_.size(); }
   /// The points since the last take(), relative to the offset of the traits that were given.
   /// @returns kParse when the points spread too far for that.
-  [[nodiscard]] Expected<PointCloud> take();
+  [[nodiscard]] Expected<CloudBatch> take();
   /// Drops the points and keeps what traits() needs of them.
   void forget_points();
   [[nodiscard]] CloudTraits traits() const;
+  /// Names of the channels that the columns fill, for people.
+  [[nodiscard]] std::vector<std::string> channels() const;
 
  private:
   void add_position(const Eigen::Vector3d& point);
   void add_color(std::span<const double> row);
+  void add_scalars(std::span<const double> row);
+  void find_scalars(std::span<const CloudColumn> columns);
   [[nodiscard]] bool scale_is_known() const;
   void finish_colors();
 
@@ -91,7 +113,17 @@ class CloudBuilder {
   double largest_local_rounding_m_ = 0.0;  ///< With the offset.
   std::array<double, 3> rounded_point_ = {};
   std::vector<Eigen::Vector3f> raw_colors_ = {};  ///< While their scale is not known.
+  float smallest_intensity_ = 0.0F;
+  bool fractional_intensity_ = false;
+  bool lossy_color_ = false;
+  double largest_time_ = 0.0;
+  CloudColumn time_column_ = {};
+  std::vector<CloudColumn> scalar_columns_ = {};
+  std::vector<int> scalar_from_ = {};  ///< Column of each.
+  std::vector<double> smallest_ = {};
+  std::vector<double> largest_ = {};
   PointCloud cloud_ = {};
+  std::vector<std::vector<double>> scalars_ = {};  ///< When traits are given.
 };
 
 }  // namespace hybridfusion

@@ -36,19 +36,24 @@ class ReadingProgress {
 };
 
 [[nodiscard]] CloudTraits traits_of(const CloudSurvey& survey) {
+  std::vector<ScalarTrait> scalars;
+  for (const SurveyedScalar& scalar : survey.scalars) scalars.push_back({.name = scalar.name});
   return {.offset_m = survey.offset_m,
           .color_max = survey.color_max,
           .has_intensity = survey.has_intensity,
-          .largest_intensity = survey.largest_intensity};
+          .largest_intensity = survey.largest_intensity,
+          .time_is_seconds = survey.time_is_seconds,
+          .scalars = std::move(scalars)};
 }
 
 }  // namespace
 
 Expected<CloudSurvey> survey_rows(const std::filesystem::path& path,
-                                  CloudRowReader read_rows,
+                                  const CloudRowReader& read_rows,
                                   const RunContext& ctx) {
   constexpr std::size_t kForgetAfter = 4096;
   std::optional<CloudBuilder> builder;
+  std::uint64_t num_dropped = 0;
   ReadingProgress progress("convert/survey", ctx);
   const CloudRowSink sink = {
       .begin =
@@ -57,7 +62,10 @@ Expected<CloudSurvey> survey_rows(const std::filesystem::path& path,
             progress.begin(file);
           },
       .row = [&](std::span<const double> row) -> Expected<bool> {
-        if (!builder->add(row)) return false;
+        if (!builder->add(row)) {
+          ++num_dropped;
+          return false;
+        }
         if (builder->size() >= kForgetAfter) builder->forget_points();
         if (auto counted = progress.count_point(); !counted) {
           return std::unexpected(counted.error());
@@ -65,26 +73,45 @@ Expected<CloudSurvey> survey_rows(const std::filesystem::path& path,
         return true;
       }};
   HF_TRY(CloudFileFacts facts, read_rows(path, sink));
+  HF_TRY(const std::string dropped, told_of_dropped(path, num_dropped, progress.points()));
+  if (!dropped.empty()) facts.warnings.push_back(dropped);
   const CloudTraits traits = builder->traits();
+  if (traits.lossy_color) facts.warnings.emplace_back("its colours of 16 bits became 8 bits");
+  std::vector<SurveyedScalar> scalars;
+  for (const ScalarTrait& trait : traits.scalars) {
+    scalars.push_back({.name = trait.name,
+                       .type = trait.type,
+                       .description = trait.description,
+                       .smallest = trait.smallest,
+                       .largest = trait.largest});
+  }
   return CloudSurvey{.num_points = progress.points(),
                      .offset_m = traits.offset_m,
                      .crs = std::move(facts.crs),
                      .warnings = std::move(facts.warnings),
                      .color_max = traits.color_max,
                      .has_intensity = traits.has_intensity,
-                     .largest_intensity = traits.largest_intensity};
+                     .largest_intensity = traits.largest_intensity,
+                     .smallest_intensity = traits.smallest_intensity,
+                     .fractional_intensity = traits.fractional_intensity,
+                     .time_is_seconds = traits.time_is_seconds,
+                     .channels = builder->channels(),
+                     .scalars = std::move(scalars),
+                     .viewpoint = facts.viewpoint};
 }
 
 Expected<void> visit_rows(const std::filesystem::path& path,
                           const CloudSurvey& survey,
-                          CloudRowReader read_rows,
+                          const CloudRowReader& read_rows,
                           const CloudBatches& batches,
                           const RunContext& ctx) {
   HF_CHECK(batches.points > 0);
   std::optional<CloudBuilder> builder;
   ReadingProgress progress("convert/points", ctx);
   const auto hand_on = [&]() -> Expected<void> {
-    HF_TRY(PointCloud cloud, finished(path, builder->take()));
+    auto taken = builder->take();
+    if (!taken) return std::unexpected(std::move(taken.error()).with_context(path.string()));
+    CloudBatch cloud = *std::move(taken);
     return batches.visit(std::move(cloud));
   };
   const CloudRowSink sink = {
@@ -115,11 +142,11 @@ Expected<void> visit_rows(const std::filesystem::path& path,
 
 Expected<PlacedCloud> collect_rows(const std::filesystem::path& path,
                                    const CloudSurvey& survey,
-                                   CloudRowReader read_rows) {
+                                   const CloudRowReader& read_rows) {
   PlacedCloud placed = {
       .offset_m = survey.offset_m, .crs = survey.crs, .warnings = survey.warnings};
   const CloudBatches all = {.points = std::numeric_limits<std::size_t>::max(),
-                            .visit = [&placed](PointCloud&& cloud) -> Expected<void> {
+                            .visit = [&placed](CloudBatch&& cloud) -> Expected<void> {
                               placed.cloud = std::move(cloud);
                               return {};
                             }};

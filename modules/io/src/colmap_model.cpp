@@ -1,3 +1,4 @@
+#include "colmap_formats.hpp"
 #include "text.hpp"
 #include "text_lines.hpp"
 
@@ -16,13 +17,20 @@ constexpr std::string_view kNoPoint = "-1";
 /// Reads the words of one line as numbers; a word of another kind fails the whole line.
 class Words {
  public:
-  explicit Words(std::string_view line) : words_(split_words(line)) {}
+  explicit Words(std::string_view line) : line_(trimmed(line)), words_(split_words(line)) {}
 
   [[nodiscard]] bool failed() const { return failed_; }
   [[nodiscard]] bool done() const { return next_ == words_.size(); }
   [[nodiscard]] std::size_t left() const { return words_.size() - next_; }
   [[nodiscard]] std::string_view word() {
     return failed_ || done() ? fail_word() : words_[next_++];
+  }
+  /// All that is left, blanks inside as they are.
+  [[nodiscard]] std::string_view rest() {
+    if (failed_ || done()) return fail_word();
+    const std::string_view word = words_[next_];
+    next_ = words_.size();
+    return line_.substr(static_cast<std::size_t>(word.data() - line_.data()));
   }
   template <class Number>
   [[nodiscard]] Number number() {
@@ -39,6 +47,7 @@ class Words {
     failed_ = true;
     return {};
   }
+  std::string_view line_;
   std::vector<std::string_view> words_;
   std::size_t next_ = 0;
   bool failed_ = false;
@@ -105,10 +114,7 @@ Expected<std::vector<ColmapImage>> read_images(const std::filesystem::path& path
     image.camera_from_world = Eigen::Quaterniond(w, xyz.x(), xyz.y(), xyz.z());
     image.camera_from_world_translation = read_vector(words);
     image.camera = words.number<std::uint32_t>();
-    while (!words.failed() && !words.done()) {
-      if (!image.name.empty()) image.name += ' ';
-      image.name += words.word();
-    }
+    image.name = words.rest();
     if (words.failed() || !(image.camera_from_world.norm() > 1e-3))
       return lines.malformed("no image", kAgain);
     image.camera_from_world.normalize();
@@ -219,7 +225,7 @@ Expected<void> write_colmap_model(const std::filesystem::path& folder, const Col
   return write_points(folder / "points3D.txt", model);
 }
 
-Expected<ColmapModel> read_colmap_model(const std::filesystem::path& folder) {
+Expected<ColmapModel> read_colmap_text(const std::filesystem::path& folder) {
   ColmapModel model;
   HF_TRY(model.cameras, read_cameras(folder / "cameras.txt"));
   HF_TRY(model.images, read_images(folder / "images.txt"));

@@ -1,3 +1,5 @@
+#include "cloud_losses.hpp"
+
 #include <hybridfusion/io/cloud_stream.hpp>
 #include <hybridfusion/io/convert_cloud.hpp>
 
@@ -25,6 +27,9 @@ class PlacedBatches {
   PlacedBatches(const CloudConversion& conversion, CloudSurvey survey)
       : path_(conversion.in), read_(survey), survey_(std::move(survey)) {}
 
+  /// What has the axes of the local frame cannot follow into the grid.
+  void forget_axes();
+
   std::filesystem::path path_;
   CloudSurvey read_;  ///< Of the file.
   CloudSurvey survey_;
@@ -33,7 +38,7 @@ class PlacedBatches {
 
 Expected<PlacedBatches> PlacedBatches::open(const CloudConversion& conversion,
                                             const RunContext& ctx) {
-  HF_TRY(CloudSurvey survey, survey_cloud(conversion.in, ctx));
+  HF_TRY(CloudSurvey survey, survey_cloud(conversion.in, ctx, conversion.columns));
   PlacedBatches batches(conversion, std::move(survey));
   if (!conversion.georeference) return batches;
   if (is_placed(batches.survey_)) {
@@ -48,7 +53,20 @@ Expected<PlacedBatches> PlacedBatches::open(const CloudConversion& conversion,
   HF_TRY(batches.projector_, CloudProjector::create(*conversion.georeference));
   batches.survey_.offset_m = batches.projector_->offset_m();
   batches.survey_.crs = batches.projector_->crs();
+  batches.forget_axes();
   return batches;
+}
+
+void PlacedBatches::forget_axes() {
+  std::vector<std::string>& warnings = survey_.warnings;
+  if (!projector_->warning().empty()) warnings.push_back(projector_->warning());
+  if (std::erase(survey_.channels, "normals") > 0) {
+    warnings.emplace_back("normals are left out: their axes are not those of the system");
+  }
+  if (survey_.viewpoint != kNoViewpoint) {
+    warnings.emplace_back("the viewpoint is left out: its axes are not those of the system");
+    survey_.viewpoint = kNoViewpoint;
+  }
 }
 
 Expected<void> PlacedBatches::read(const CloudBatchVisitor& visit, const RunContext& ctx) const {
@@ -56,10 +74,11 @@ Expected<void> PlacedBatches::read(const CloudBatchVisitor& visit, const RunCont
       path_,
       read_,
       kBatchPoints,
-      [&](PointCloud&& cloud) -> Expected<void> {
+      [&](CloudBatch&& cloud) -> Expected<void> {
         if (!projector_) return visit(std::move(cloud));
-        HF_TRY(PointCloud placed, (*projector_)(std::move(cloud)));
-        return visit(std::move(placed));
+        PointCloud& points = cloud;
+        HF_TRY(points, (*projector_)(std::move(points)));
+        return visit(std::move(cloud));
       },
       ctx);
 }
@@ -71,7 +90,7 @@ Expected<std::optional<SurfaceRasterBuilder>> begin_raster(const CloudConversion
   if (!conversion.dsm && !conversion.ortho) return std::nullopt;
   SurfaceExtent extent;
   auto read = batches.read(
-      [&](PointCloud&& cloud) -> Expected<void> {
+      [&](CloudBatch&& cloud) -> Expected<void> {
         extent.add(cloud, batches.survey().offset_m);
         return {};
       },
@@ -100,7 +119,7 @@ Expected<ConvertedCloud> convert_cloud(const CloudConversion& conversion, const 
     HF_TRY(writer, CloudWriter::create(*conversion.out, survey, conversion.format));
   }
   auto read = batches.read(
-      [&](PointCloud&& cloud) -> Expected<void> {
+      [&](CloudBatch&& cloud) -> Expected<void> {
         if (raster) raster->add(cloud, survey.offset_m);
         return writer ? writer->add(cloud) : Expected<void>();
       },
@@ -109,15 +128,21 @@ Expected<ConvertedCloud> convert_cloud(const CloudConversion& conversion, const 
   if (writer) {
     if (auto written = writer->commit(); !written) return std::unexpected(written.error());
   }
+  std::vector<std::string> warnings = survey.warnings;
+  if (conversion.out) {
+    for (std::string& loss : cloud_losses(survey, *conversion.out, conversion.format)) {
+      warnings.push_back(std::move(loss));
+    }
+  }
   if (raster) {
-    auto written = write_rasters(conversion, std::move(*raster).finish(survey.crs.wkt));
+    auto written = write_rasters(conversion, std::move(*raster).finish(survey.crs));
     if (!written) return std::unexpected(written.error());
   }
   return ConvertedCloud{.num_points = survey.num_points,
                         .crs = survey.crs,
                         .offset_m = survey.offset_m,
                         .keeps_offset = !writer || writer->keeps_offset(),
-                        .warnings = survey.warnings};
+                        .warnings = std::move(warnings)};
 }
 
 }  // namespace hybridfusion

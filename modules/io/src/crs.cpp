@@ -1,6 +1,8 @@
 #include "crs.hpp"
 
 #include "cloud_builder.hpp"
+#include "crs_accuracy.hpp"
+#include "crs_units.hpp"
 #include "text.hpp"
 
 #include <cmath>
@@ -18,10 +20,14 @@ namespace {
   const char* const name = system.GetName();
   crs.name = name == nullptr ? "" : name;
   crs.geographic = system.IsGeographic() != 0;
-  if (!crs.geographic) crs.metres_per_unit = system.GetLinearUnits();
   char* text = nullptr;
   if (system.exportToWkt(&text) == OGRERR_NONE && text != nullptr) crs.wkt = text;
   CPLFree(text);
+  if (crs.geographic) return crs;
+  if (const auto units = axis_units(crs.wkt)) {
+    crs.metres_per_unit = units->horizontal_m;
+    crs.vertical_metres_per_unit = units->vertical_m.value_or(units->horizontal_m);
+  }
   return crs;
 }
 
@@ -62,6 +68,8 @@ struct EnuToProjected::State {
   OGRSpatialReference projected;
   std::unique_ptr<OGRCoordinateTransformation> transformation = {};
   std::string wkt = {};
+  Eigen::Vector3d units_m = Eigen::Vector3d::Ones();
+  std::string warning = {};
 };
 
 EnuToProjected::EnuToProjected(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -70,17 +78,19 @@ EnuToProjected& EnuToProjected::operator=(EnuToProjected&&) noexcept = default;
 EnuToProjected::~EnuToProjected() = default;
 
 Expected<EnuToProjected> EnuToProjected::create(const GeodeticOrigin& origin,
-                                                const std::string& crs) {
+                                                const std::string& crs,
+                                                bool allow_ballpark) {
   std::string wanted = crs;
+  if (lower_case(wanted).starts_with("epsg:")) wanted.replace(0, 5, "EPSG:");
   if (wanted.empty()) {
     HF_TRY(const int epsg, utm_epsg(origin));
     wanted = fmt::format("EPSG:{}", epsg);
   }
-  const auto refuse = [&wanted](std::string_view cause) {
-    return fail(ErrorCode::kInvalidOptions,
-                fmt::format("{}: {}; give EPSG:n or EPSG:n+m of a projected system in metres",
-                            printable(wanted),
-                            cause));
+  const auto refuse = [&wanted](const std::string& cause) {
+    return fail(
+        ErrorCode::kInvalidOptions,
+        fmt::format(
+            "{}: {}; give EPSG:n or EPSG:n+m of a projected system", printable(wanted), cause));
   };
   const CPLErrorHandlerPusher silent(CPLQuietErrorHandler);  // GDAL would write to stderr
   auto state = std::make_unique<State>();
@@ -92,9 +102,7 @@ Expected<EnuToProjected> EnuToProjected::create(const GeodeticOrigin& origin,
   if (state->projected.SetFromUserInput(wanted.c_str()) != OGRERR_NONE) {
     return refuse("PROJ does not know it (is its database, proj-data, installed?)");
   }
-  if (state->projected.IsProjected() == 0 || state->projected.GetLinearUnits() != 1.0) {
-    return refuse("not a projected system in metres");
-  }
+  if (state->projected.IsProjected() == 0) return refuse("not a projected system");
   constexpr int kWgs84WithHeight = 4979;
   constexpr int kWgs84 = 4326;
   const bool vertical = state->projected.IsVertical() != 0;
@@ -112,10 +120,21 @@ Expected<EnuToProjected> EnuToProjected::create(const GeodeticOrigin& origin,
   const bool has_wkt = state->projected.exportToWkt(&text) == OGRERR_NONE && text != nullptr;
   if (has_wkt) state->wkt = text;
   CPLFree(text);
-  if (!state->transformation || !has_wkt) return refuse("PROJ cannot convert to it");
+  if (!state->transformation || !has_wkt) {
+    const std::string grids = vertical ? missing_grids(origin, wanted) : "";
+    return refuse(grids.empty() ? "PROJ cannot convert to it"
+                                : "its heights need a geoid model that is not installed" + grids);
+  }
+  // Without a vertical part heights stay ellipsoidal, in metres.
+  if (const auto units = axis_units(state->wkt)) {
+    state->units_m = {
+        units->horizontal_m, units->horizontal_m, vertical ? units->vertical_m.value_or(1.0) : 1.0};
+  }
+  HF_TRY(state->warning, judge_accuracy(origin, wanted, allow_ballpark));
   EnuToProjected result(std::move(state));
   if (auto probe = result(Eigen::Vector3d::Zero()); !probe) {
-    return refuse(vertical ? "its heights need a geoid model that is not installed (proj-data)"
+    return refuse(vertical ? "its heights need a geoid model that is not installed" +
+                                 missing_grids(origin, wanted)
                            : "it does not cover the place of the cloud");
   }
   return result;
@@ -132,7 +151,15 @@ Expected<Eigen::Vector3d> EnuToProjected::operator()(const Eigen::Vector3d& poin
                     position.latitude_deg,
                     position.longitude_deg));
   }
-  return at;
+  return Eigen::Vector3d(at.cwiseProduct(state_->units_m));
+}
+
+const Eigen::Vector3d& EnuToProjected::units_m() const {
+  return state_->units_m;
+}
+
+const std::string& EnuToProjected::warning() const {
+  return state_->warning;
 }
 
 struct CloudProjector::State {
@@ -147,9 +174,12 @@ CloudProjector& CloudProjector::operator=(CloudProjector&&) noexcept = default;
 CloudProjector::~CloudProjector() = default;
 
 Expected<CloudProjector> CloudProjector::create(const Georeference& georeference) {
-  HF_TRY(EnuToProjected projection, EnuToProjected::create(georeference.origin, georeference.crs));
+  HF_TRY(
+      EnuToProjected projection,
+      EnuToProjected::create(georeference.origin, georeference.crs, georeference.allow_ballpark));
   HF_TRY(const Eigen::Vector3d origin, projection(Eigen::Vector3d::Zero()));
   CrsDescription crs = describe_crs(projection.wkt());
+  crs.vertical_metres_per_unit = projection.units_m().z();
   return CloudProjector(std::make_unique<State>(State{.projection = std::move(projection),
                                                       .offset_m = whole_kilometres(origin),
                                                       .crs = std::move(crs)}));
@@ -166,6 +196,10 @@ Expected<PointCloud> CloudProjector::operator()(PointCloud cloud) const {
 
 const Eigen::Vector3d& CloudProjector::offset_m() const {
   return state_->offset_m;
+}
+
+const std::string& CloudProjector::warning() const {
+  return state_->projection.warning();
 }
 
 const CrsDescription& CloudProjector::crs() const {

@@ -18,46 +18,30 @@ namespace hybridfusion {
 class EnuToProjected {
  public:
   /// @param crs  "EPSG:n" or "EPSG:n+m"; empty: the UTM zone of the origin.
-  /// @returns kInvalidOptions for a system that PROJ does not know, that is not projected in metres
-  /// or whose heights need a geoid model that is not installed; kDegenerate for an origin outside
-  /// the UTM zones.
+  /// @param allow_ballpark  Also with a transformation that is worse than judge_accuracy allows.
+  /// @returns kInvalidOptions for a system that PROJ does not know, that is not projected or whose
+  /// heights need a geoid model that is not installed; kDegenerate for an origin outside the UTM
+  /// zones.
   [[nodiscard]] static Expected<EnuToProjected> create(const GeodeticOrigin& origin,
-                                                       const std::string& crs);
+                                                       const std::string& crs,
+                                                       bool allow_ballpark = false);
 
   EnuToProjected(EnuToProjected&&) noexcept;
   EnuToProjected& operator=(EnuToProjected&&) noexcept;
   ~EnuToProjected();
 
-  /// Easting, northing, height [m]. @returns kDegenerate where the projection fails.
+  /// Easting, northing, height in metres, whatever the system counts. @returns kDegenerate where
+  /// the projection fails.
   [[nodiscard]] Expected<Eigen::Vector3d> operator()(const Eigen::Vector3d& point_in_enu) const;
+  /// Metres in a unit of each axis of the system; of heights 1 when it has none.
+  [[nodiscard]] const Eigen::Vector3d& units_m() const;
+  [[nodiscard]] const std::string& warning() const;  ///< Empty: the transformation is good.
   /// WKT 1 of the projected system, as LAS wants it.
   [[nodiscard]] const std::string& wkt() const;
 
  private:
   struct State;
   explicit EnuToProjected(std::unique_ptr<State> state);
-  std::unique_ptr<State> state_;
-};
-
-/// Converts coordinates of a system to WGS84. Heights stay as they are unless the system has a
-/// vertical part.
-class ProjectedToGeodetic {
- public:
-  /// @param system  "EPSG:n", "EPSG:n+m", "WGS84 UTM 32N" or a PROJ string "+proj=...".
-  /// @returns kInvalidOptions for a system that PROJ does not know.
-  [[nodiscard]] static Expected<ProjectedToGeodetic> create(const std::string& system);
-
-  ProjectedToGeodetic(ProjectedToGeodetic&&) noexcept;
-  ProjectedToGeodetic& operator=(ProjectedToGeodetic&&) noexcept;
-  ~ProjectedToGeodetic();
-
-  /// @param point  Easting or longitude, northing or latitude, height.
-  /// @returns kDegenerate where the system does not reach.
-  [[nodiscard]] Expected<GeodeticPosition> operator()(const Eigen::Vector3d& point) const;
-
- private:
-  struct State;
-  explicit ProjectedToGeodetic(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
 };
 

@@ -1,153 +1,175 @@
-#include "crs.hpp"
-#include "text.hpp"
-#include "text_lines.hpp"
+#include "coordinate_checks.hpp"
+#include "coordinate_system.hpp"
+#include "coordinate_table.hpp"
+#include "position_columns.hpp"
 
 #include <hybridfusion/io/geo_tags.hpp>
+#include <hybridfusion/io/photo_names.hpp>
 
-#include <array>
-#include <cmath>
-#include <unordered_map>
+#include <algorithm>
 
 #include <fmt/format.h>
 
 namespace hybridfusion {
 namespace {
 
-constexpr std::string_view kRemedy =
-    "give the coordinate system in the first line (EPSG:4326, WGS84 UTM 32N), then one photo a "
-    "line";
+/// The fields in the order name x y z sigma_h sigma_v.
+std::vector<std::string> ordered(const CoordinateRow& row, const PositionColumns& columns) {
+  std::vector<std::string> all = row.before;
+  all.push_back(row.photo);
+  all.insert(all.end(), row.after.begin(), row.after.end());
+  const auto field = [&all](std::optional<std::size_t> at) {
+    return at && *at < all.size() ? all[*at] : std::string();
+  };
+  return {field(columns.name),
+          field(columns.x),
+          field(columns.y),
+          field(columns.z),
+          field(columns.sigma_horizontal),
+          field(columns.sigma_vertical)};
+}
 
-/// Lines that hold something, split; comments are dropped.
-class Table {
+/// One file: the system, the columns, and the rows.
+class GeoTagReader {
  public:
-  [[nodiscard]] static Expected<Table> open(const std::filesystem::path& path) {
-    HF_TRY(TextLines lines, TextLines::open(path));
-    return Table(std::move(lines));
+  GeoTagReader(CoordinateTable& table, CoordinateSystem system, PositionColumns columns)
+      : table_(table), system_(std::move(system)), columns_(columns) {
+    file_.system = system_.text();
   }
 
-  [[nodiscard]] Expected<std::optional<std::string>> next() {
+  Expected<GeoTagFile> read(std::optional<std::string> line) {
+    bool first = true;
     while (true) {
-      HF_TRY(const auto line, lines_.next());
-      if (!line) return std::optional<std::string>{};
-      const std::string_view text = trimmed(*line);
-      if (!text.empty() && !text.starts_with('#')) return std::optional<std::string>(text);
+      if (!line) {
+        HF_TRY(line, table_.next());
+      }
+      if (!line) break;
+      if (auto taken = take(*line, first); !taken) return std::unexpected(taken.error());
+      first = false;
+      line.reset();
     }
-  }
-
-  [[nodiscard]] std::unexpected<Error> malformed(std::string_view cause) const {
-    return lines_.malformed(cause, kRemedy);
+    if (auto checked = check_written(table_, system_, written_, positions_, file_.notes);
+        !checked) {
+      return std::unexpected(checked.error());
+    }
+    return std::move(file_);
   }
 
  private:
-  explicit Table(TextLines lines) : lines_(std::move(lines)) {}
-  TextLines lines_;
+  Expected<void> take(const std::string& line, bool first) {
+    const auto row = row_of(line, columns_.name);
+    const std::vector<std::string> fields =
+        row ? ordered(*row, columns_) : std::vector<std::string>();
+    const auto x = finite_field(fields, 1);
+    const auto y = finite_field(fields, 2);
+    if (!x || !y || fields.front().empty()) {
+      // A heading is a first line without coordinates; its words say what stands where.
+      if (first && !has_numbers(line)) {
+        if (const auto named = columns_of_heading(line)) columns_ = *named;
+        return {};
+      }
+      return table_.malformed(columns_.in_degrees ? "not name, latitude and longitude in degrees"
+                                                  : "not a photo name and two coordinates");
+    }
+    const auto z = finite_field(fields, 3);
+    const Eigen::Vector3d written(*x, *y, z.value_or(0.0));
+    const auto position = system_(written);
+    if (!position || !on_earth(*position)) {
+      return table_.malformed("the coordinates lie outside the coordinate system" +
+                              hint_of(written, system_));
+    }
+    written_.push_back(written);
+    positions_.push_back(*position);
+    file_.tags.push_back({.photo = fields.front(),
+                          .latitude_deg = position->latitude_deg,
+                          .longitude_deg = position->longitude_deg,
+                          .altitude_m = z ? std::optional(position->altitude_m) : std::nullopt,
+                          .sigma_horizontal_m = positive_field(fields, 4),
+                          .sigma_vertical_m = positive_field(fields, 5),
+                          .written = written});
+    return {};
+  }
+
+  /// Then it is a row, not a heading.
+  static bool has_numbers(const std::string& line) {
+    return std::ranges::any_of(split_row(line), [](const std::string& field) {
+      return finite_field({field}, 0).has_value();
+    });
+  }
+
+  CoordinateTable& table_;
+  CoordinateSystem system_;
+  PositionColumns columns_;
+  GeoTagFile file_ = {};
+  std::vector<Eigen::Vector3d> written_ = {};
+  std::vector<GeodeticPosition> positions_ = {};
 };
 
-std::vector<std::string> fields_of(const std::string& line) {
-  std::vector<std::string> fields;
-  if (line.find(',') != std::string::npos) {
-    for (const std::string_view field : split_fields(line, ',')) fields.emplace_back(field);
-  } else {
-    for (const std::string_view word : split_words(line)) fields.emplace_back(word);
+std::optional<PositionColumns> columns_of_comments(const CoordinateTable& table) {
+  for (const std::string& comment : table.comments()) {
+    if (const auto columns = columns_of_heading(comment)) return columns;
   }
-  return fields;
+  return std::nullopt;
 }
 
-std::optional<double> finite(const std::vector<std::string>& fields, std::size_t at) {
-  if (at >= fields.size()) return std::nullopt;
-  const auto number = parse_number<double>(fields[at]);
-  return number && std::isfinite(*number) ? number : std::nullopt;
+/// "# CoordinateSystem: PROJCS[...]" of Metashape; empty without one.
+std::string system_of_comments(const CoordinateTable& table) {
+  constexpr std::string_view kStart = "CoordinateSystem:";
+  for (const std::string& comment : table.comments()) {
+    if (comment.starts_with(kStart)) return comment.substr(kStart.size());
+  }
+  return {};
 }
 
-/// A deviation that says something.
-std::optional<double> positive(const std::vector<std::string>& fields, std::size_t at) {
-  const auto number = finite(fields, at);
-  return number && *number > 0.0 ? number : std::nullopt;
-}
-
-bool on_earth(const GeodeticPosition& position) {
-  return std::isfinite(position.altitude_m) && std::abs(position.latitude_deg) <= 90.0 &&
-         std::abs(position.longitude_deg) <= 180.0;
-}
-
-/// name,lat,lon[,alt[,sigma_h[,sigma_v]]]
-std::optional<GeoTag> tag_of_csv(const std::vector<std::string>& fields) {
-  const auto latitude = finite(fields, 1);
-  const auto longitude = finite(fields, 2);
-  if (fields.front().empty() || !latitude || !longitude) return std::nullopt;
-  GeoTag tag{.photo = fields.front(),
-             .latitude_deg = *latitude,
-             .longitude_deg = *longitude,
-             .altitude_m = finite(fields, 3),
-             .sigma_horizontal_m = positive(fields, 4),
-             .sigma_vertical_m = positive(fields, 5)};
-  if (!on_earth({.latitude_deg = *latitude, .longitude_deg = *longitude})) return std::nullopt;
-  return tag;
-}
-
-Expected<std::vector<GeoTag>> read_csv(Table& table, const std::string& first) {
-  std::vector<GeoTag> tags;
-  // A heading is a first line whose second column is no number.
-  bool heading = true;
-  std::optional<std::string> line = first;
-  while (line) {
-    const std::vector<std::string> fields = fields_of(*line);
-    const auto tag = tag_of_csv(fields);
-    if (!tag && !(heading && !finite(fields, 1))) {
-      return table.malformed("not name, latitude and longitude in degrees");
+/// A table without a line for the system: degrees in the order of its heading, else name, latitude,
+/// longitude.
+Expected<GeoTagFile> read_degrees(CoordinateTable& table, const std::string& first) {
+  HF_TRY(CoordinateSystem wgs84, CoordinateSystem::create("EPSG:4326"));
+  auto columns = columns_of_heading(first);
+  if (!columns) columns = columns_of_comments(table);
+  if (columns && !columns->in_degrees) {
+    const std::string named = system_of_comments(table);
+    if (named.empty()) {
+      return table.malformed("the columns are x and y of a coordinate system that is not named");
     }
-    if (tag) tags.push_back(*tag);
-    heading = false;
-    HF_TRY(line, table.next());
+    HF_TRY(CoordinateSystem system, system_of_line(table, named));
+    return GeoTagReader(table, std::move(system), *columns).read(first);
   }
-  return tags;
-}
-
-Expected<std::vector<GeoTag>> read_rows(Table& table, const ProjectedToGeodetic& to_geodetic) {
-  std::vector<GeoTag> tags;
-  while (true) {
-    HF_TRY(const auto line, table.next());
-    if (!line) return tags;
-    const std::vector<std::string> fields = fields_of(*line);
-    const auto x = finite(fields, 1);
-    const auto y = finite(fields, 2);
-    if (!x || !y) return table.malformed("not a photo name and two coordinates");
-    const auto z = finite(fields, 3);
-    auto position = to_geodetic({*x, *y, z.value_or(0.0)});
-    if (!position || !on_earth(*position)) {
-      return table.malformed("the coordinates lie outside the coordinate system");
-    }
-    // Three angles may stand before the accuracies.
-    tags.push_back({.photo = fields.front(),
-                    .latitude_deg = position->latitude_deg,
-                    .longitude_deg = position->longitude_deg,
-                    .altitude_m = z ? std::optional(position->altitude_m) : std::nullopt,
-                    .sigma_horizontal_m = positive(fields, 7),
-                    .sigma_vertical_m = positive(fields, 8)});
-  }
+  const PositionColumns plain = {
+      .x = 2, .y = 1, .z = 3, .sigma_horizontal = 4, .sigma_vertical = 5, .in_degrees = true};
+  return GeoTagReader(table, std::move(wgs84), columns.value_or(plain)).read(first);
 }
 
 }  // namespace
 
-Expected<std::vector<GeoTag>> read_geo_tags(const std::filesystem::path& path) {
-  HF_TRY(Table table, Table::open(path));
+Expected<GeoTagFile> read_geo_tags(const std::filesystem::path& path) {
+  HF_TRY(CoordinateTable table, CoordinateTable::open(path));
   HF_TRY(const auto first, table.next());
   if (!first) return table.malformed("the file is empty");
-  const bool is_proj = first->starts_with('+');
-  if (!is_proj && first->find(',') != std::string::npos) return read_csv(table, *first);
-  HF_TRY(const ProjectedToGeodetic to_geodetic, ProjectedToGeodetic::create(*first));
-  return read_rows(table, to_geodetic);
+  const bool is_table = first->find_first_of(",;\t") != std::string::npos;
+  if (is_table && !names_coordinate_system(*first)) return read_degrees(table, *first);
+  HF_TRY(CoordinateSystem system, system_of_line(table, *first));
+  const PositionColumns columns = columns_of_comments(table).value_or(PositionColumns{});
+  return GeoTagReader(table, std::move(system), columns).read(std::nullopt);
 }
 
-std::size_t apply_geo_tags(std::span<const GeoTag> tags, std::span<Photo> photos) {
-  std::unordered_map<std::string, const GeoTag*> by_name;
-  for (const GeoTag& tag : tags) by_name[tag.photo] = &tag;
-  std::size_t tagged = 0;
-  for (Photo& photo : photos) {
-    const auto found = by_name.find(photo.metadata.name);
-    if (found == by_name.end()) continue;
-    const GeoTag& tag = *found->second;
-    PhotoMetadata& metadata = photo.metadata;
+TaggedPhotos apply_geo_tags(std::span<const GeoTag> tags, std::span<Photo> photos) {
+  std::vector<std::string> names;
+  for (const Photo& photo : photos) names.push_back(photo.metadata.name);
+  const PhotoNames index(names);
+  TaggedPhotos result;
+  std::vector<const GeoTag*> tag_of(photos.size(), nullptr);
+  for (const GeoTag& tag : tags) {
+    if (const auto at = index.find(tag.photo)) {
+      tag_of[*at] = &tag;
+    } else {
+      result.unknown.push_back(tag.photo);
+    }
+  }
+  for (std::size_t i = 0; i < photos.size(); ++i) {
+    if (tag_of[i] == nullptr) continue;
+    const GeoTag& tag = *tag_of[i];
+    PhotoMetadata& metadata = photos[i].metadata;
     metadata.latitude_deg = tag.latitude_deg;
     metadata.longitude_deg = tag.longitude_deg;
     metadata.altitude_m = tag.altitude_m;
@@ -159,43 +181,9 @@ std::size_t apply_geo_tags(std::span<const GeoTag> tags, std::span<Photo> photos
       metadata.rtk_sigma_enu_m = {
           *tag.sigma_horizontal_m, *tag.sigma_horizontal_m, *tag.sigma_vertical_m};
     }
-    ++tagged;
+    ++result.num_tagged;
   }
-  return tagged;
-}
-
-Expected<std::vector<SurveyedPoint>> read_surveyed_points(const std::filesystem::path& path) {
-  constexpr double kCorner_px = 0.5;  // pixels counted from the corner of the first one
-  HF_TRY(Table table, Table::open(path));
-  HF_TRY(const auto first, table.next());
-  if (!first) return table.malformed("the file is empty");
-  HF_TRY(const ProjectedToGeodetic to_geodetic, ProjectedToGeodetic::create(*first));
-  std::vector<SurveyedPoint> points;
-  std::unordered_map<std::string, std::size_t> index;
-  while (true) {
-    HF_TRY(const auto line, table.next());
-    if (!line) return points;
-    const std::vector<std::string> fields = fields_of(*line);
-    std::array<double, 5> numbers{};
-    for (std::size_t k = 0; k < numbers.size(); ++k) {
-      const auto number = finite(fields, k);
-      if (!number) return table.malformed("not x y z, pixel x, pixel y and a photo name");
-      numbers[k] = *number;
-    }
-    if (fields.size() < 6) return table.malformed("the photo name is missing");
-    const std::string name =
-        fields.size() > 6 ? fields[6] : fmt::format("{} {} {}", fields[0], fields[1], fields[2]);
-    const auto [known, fresh] = index.try_emplace(name, points.size());
-    if (fresh) {
-      auto position = to_geodetic({numbers[0], numbers[1], numbers[2]});
-      if (!position || !on_earth(*position)) {
-        return table.malformed("the coordinates lie outside the coordinate system");
-      }
-      points.push_back({.name = name, .position = *position});
-    }
-    points[known->second].marks.push_back(
-        {.photo = fields[5], .pixel = {numbers[3] - kCorner_px, numbers[4] - kCorner_px}});
-  }
+  return result;
 }
 
 }  // namespace hybridfusion

@@ -1,3 +1,5 @@
+#include "crs_units.hpp"
+
 #include <hybridfusion/io/atomic_file.hpp>
 #include <hybridfusion/io/surface_raster.hpp>
 
@@ -64,8 +66,9 @@ class MemoryFile {
   Dataset dataset(
       driver->Create(name.c_str(), raster.columns, raster.rows, bands, type, options.List()));
   if (!dataset) return nullptr;
-  std::array<double, 6> transform = {
-      raster.north_west.x(), raster.cell_m, 0.0, raster.north_west.y(), 0.0, -raster.cell_m};
+  const double cell = raster.cell_m / raster.metres_per_unit;
+  const Eigen::Vector2d corner = raster.north_west / raster.metres_per_unit;
+  std::array<double, 6> transform = {corner.x(), cell, 0.0, corner.y(), 0.0, -cell};
   if (dataset->SetGeoTransform(transform.data()) != CE_None) return nullptr;
   OGRSpatialReference system;
   if (!raster.wkt.empty() && system.importFromWkt(raster.wkt.c_str()) == OGRERR_NONE &&
@@ -73,6 +76,20 @@ class MemoryFile {
     return nullptr;
   }
   return dataset;
+}
+
+/// Name of the unit of the heights. GDAL 3.6 drops one that the vertical system has too, and with
+/// it readers that do not look there lose the unit; another spelling stays.
+[[nodiscard]] std::string height_unit(const SurfaceRaster& raster) {
+  const std::string name = unit_name(raster.vertical_metres_per_unit);
+  OGRSpatialReference system;
+  const bool compound = !raster.wkt.empty() &&
+                        system.importFromWkt(raster.wkt.c_str()) == OGRERR_NONE &&
+                        system.IsCompound() != 0;
+  if (!compound) return name;
+  if (name == "metre") return "m";
+  if (name == "foot") return "ft";
+  return name == "US survey foot" ? "ftUS" : name;
 }
 
 /// Row by row through `value_of(cell)`.
@@ -112,11 +129,13 @@ Expected<void> write_dsm(const std::filesystem::path& path, const SurfaceRaster&
   Dataset dataset = create(raster, memory.name(), 1, GDT_Float32);
   if (!dataset) return refused(path);
   dataset->GetRasterBand(1)->SetNoDataValue(kNoData);
-  dataset->GetRasterBand(1)->SetUnitType("metre");
+  dataset->GetRasterBand(1)->SetUnitType(height_unit(raster).c_str());
   const bool written =
       write_band<float>(*dataset, 1, raster, GDT_Float32, [&raster](std::size_t cell) {
         const float height_m = raster.heights_m[cell];
-        return std::isnan(height_m) ? kNoData : height_m;
+        return std::isnan(height_m)
+                   ? kNoData
+                   : static_cast<float>(height_m / raster.vertical_metres_per_unit);
       });
   dataset.reset();  // flushes
   if (!written) return refused(path);

@@ -72,6 +72,11 @@ Expected<InputFile> InputFile::open(const std::filesystem::path& path,
     return file.malformed("not a regular file", "give the path of a file");
   }
   if (file.size_ == 0) return file.malformed("the file is empty", "copy or record it again");
+  HF_TRY(const bool pointer, file.is_lfs_pointer());
+  if (pointer) {
+    return file.malformed("a pointer of Git LFS, not the file itself",
+                          "fetch it with 'git lfs pull' in its repository");
+  }
   return file;
 }
 
@@ -79,6 +84,15 @@ std::unexpected<Error> InputFile::malformed(std::string_view cause,
                                             std::string_view remedy,
                                             std::source_location where) const {
   return fail(ErrorCode::kParse, fmt::format("{}: {}; {}", path_.string(), cause, remedy), where);
+}
+
+/// What a repository holds in place of a large file that was not fetched: three lines of text.
+Expected<bool> InputFile::is_lfs_pointer() {
+  constexpr std::string_view kStart = "version https://git-lfs.github.com/spec/";
+  constexpr std::uint64_t kMaxBytes = 1024;  // github.com/git-lfs, docs/spec.md
+  if (size_ < kStart.size() || size_ >= kMaxBytes) return false;
+  HF_TRY(const auto bytes, fill(kStart.size()));
+  return std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()) == kStart;
 }
 
 Expected<std::span<const std::byte>> InputFile::fill(std::size_t count) {

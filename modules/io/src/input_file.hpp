@@ -52,6 +52,7 @@ class InputFile {
 
  private:
   InputFile(std::filesystem::path path, int descriptor, std::uint64_t size);
+  [[nodiscard]] Expected<bool> is_lfs_pointer();
   /// Makes at least `count` bytes available in the buffer (fewer only at the end of the file).
   [[nodiscard]] Expected<std::span<const std::byte>> fill(std::size_t count);
 

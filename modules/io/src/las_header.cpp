@@ -1,7 +1,6 @@
 #include "las_header.hpp"
 
 #include "byte_reader.hpp"
-#include "crs.hpp"
 #include "text.hpp"
 
 #include <algorithm>
@@ -19,89 +18,35 @@ constexpr std::uint64_t kVlrBytes = 54;
 constexpr std::uint64_t kEvlrBytes = 60;
 constexpr std::uint64_t kMaxRecordBytes = std::uint64_t{1} << 24;
 
-/// The parts of the records that say what the coordinates mean.
-struct CrsRecords {
-  std::string wkt = {};
-  std::vector<std::byte> geo_keys = {};  ///< GeoKeyDirectoryTag.
-  std::string geo_ascii = {};            ///< GeoAsciiParamsTag.
-};
-
 [[nodiscard]] std::string text_of(std::span<const std::byte> bytes) {
   const std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   return text.substr(0, text.find('\0'));
-}
-
-/// Place of the extra byte `source` behind the fields of the point format; 0 when there is none.
-[[nodiscard]] std::size_t find_source(std::span<const std::byte> descriptors, std::size_t begin) {
-  constexpr std::size_t kDescriptorBytes = 192;
-  constexpr std::array<std::size_t, 11> kSizes = {0, 1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
-  for (; descriptors.size() >= kDescriptorBytes; descriptors = descriptors.subspan(192)) {
-    const auto type = load<std::uint8_t>(descriptors.data() + 2);
-    const auto options = load<std::uint8_t>(descriptors.data() + 3);
-    if (type == 1 && text_of(descriptors.subspan(4, 32)) == "source") return begin;
-    if (type >= kSizes.size()) return 0;
-    begin += type == 0 ? options : kSizes[type];
-  }
-  return 0;
 }
 
 void take_record(std::string_view user,
                  std::uint16_t id,
                  std::span<const std::byte> data,
                  LasHeader& header,
-                 CrsRecords& records) {
+                 LasCrsRecords& records) {
   if (user == "LASF_Projection" && id == 2112) records.wkt = text_of(data);
   if (user == "LASF_Projection" && id == 34735) records.geo_keys.assign(data.begin(), data.end());
+  if (user == "LASF_Projection" && id == 34736) {
+    records.geo_doubles.assign(data.begin(), data.end());
+  }
   if (user == "LASF_Projection" && id == 34737) {
     records.geo_ascii.assign(reinterpret_cast<const char*>(data.data()), data.size());
   }
   if (user == "LASF_Spec" && id == 4) {
-    header.source_byte = find_source(data, kLasLayouts[header.point_format].bytes);
-    if (header.source_byte >= header.point_bytes) header.source_byte = 0;
+    header.extra =
+        read_las_extra_fields(data, kLasLayouts[header.point_format].bytes, header.point_bytes);
   }
-}
-
-/// GeoTIFF 1.0, section 2.4: four numbers for each key.
-[[nodiscard]] CrsDescription crs_of_keys(const CrsRecords& records) {
-  constexpr std::uint16_t kGeographic = 2048;
-  constexpr std::uint16_t kProjected = 3072;
-  constexpr std::uint16_t kLinearUnits = 3076;
-  constexpr std::uint16_t kUserDefined = 32767;
-  constexpr std::uint16_t kAsciiTag = 34737;
-  ByteReader reader(records.geo_keys);
-  reader.skip(3 * sizeof(std::uint16_t));
-  const auto count = reader.read<std::uint16_t>();
-  int projected = 0;
-  int geographic = 0;
-  int units = 0;
-  std::string citation;
-  for (std::uint16_t i = 0; i < count && !reader.failed(); ++i) {
-    const auto key = reader.read<std::uint16_t>();
-    const auto place = reader.read<std::uint16_t>();
-    const auto length = reader.read<std::uint16_t>();
-    const auto value = reader.read<std::uint16_t>();
-    if (key == kProjected && value != kUserDefined) projected = value;
-    if (key == kGeographic && value != kUserDefined) geographic = value;
-    if (key == kLinearUnits) units = value;
-    if (place == kAsciiTag && citation.empty() && value < records.geo_ascii.size()) {
-      citation = printable(records.geo_ascii.substr(value, length));
-    }
-  }
-  CrsDescription crs = {.name = citation};
-  if (const int code = projected != 0 ? projected : geographic; code != 0) {
-    crs = describe_crs(code).value_or(crs);
-  }
-  // Files in feet often carry the code of the metric system and say so only here.
-  if (units == 9002) crs.metres_per_unit = 0.3048;
-  if (units == 9003) crs.metres_per_unit = 1200.0 / 3937.0;  // US survey foot
-  return crs;
 }
 
 Expected<void> read_vlrs(InputFile& file,
                          std::uint64_t begin,
                          std::uint32_t count,
                          LasHeader& header,
-                         CrsRecords& records) {
+                         LasCrsRecords& records) {
   file.seek(begin);
   // A count that lies ends where the points begin.
   for (std::uint32_t i = 0; i < count; ++i) {
@@ -121,7 +66,7 @@ Expected<void> read_evlrs(InputFile& file,
                           std::uint64_t begin,
                           std::uint32_t count,
                           LasHeader& header,
-                          CrsRecords& records) {
+                          LasCrsRecords& records) {
   if (begin < header.points_begin || begin >= file.size()) return {};
   file.seek(begin);
   for (std::uint32_t i = 0; i < count && file.remaining() >= kEvlrBytes; ++i) {
@@ -130,7 +75,8 @@ Expected<void> read_evlrs(InputFile& file,
     const auto id = load<std::uint16_t>(head.data() + 18);
     const auto bytes = load<std::uint64_t>(head.data() + 20);
     if (bytes > file.remaining()) return {};
-    if (user != "LASF_Projection" || bytes > kMaxRecordBytes) {
+    const bool wanted = user == "LASF_Projection" || user == "LASF_Spec";
+    if (!wanted || bytes > kMaxRecordBytes) {
       if (auto skipped = file.skip(bytes); !skipped) return skipped;
       continue;
     }
@@ -204,17 +150,14 @@ Expected<LasHeader> read_las_header(InputFile& file) {
     header.offset[axis] = at(double{}, 155 + 8 * axis);
   }
   if (auto sound = check(file, header); !sound) return std::unexpected(sound.error());
-  CrsRecords records;
+  LasCrsRecords records{.wkt_rules = (at(std::uint16_t{}, 6) & 0x10U) != 0};
+  header.extra.end = kLasLayouts[header.point_format].bytes;
   auto read = read_vlrs(file, header_bytes, at(std::uint32_t{}, 100), header, records);
   if (read && is14) {
     read = read_evlrs(file, at(std::uint64_t{}, 235), at(std::uint32_t{}, 243), header, records);
   }
   if (!read) return std::unexpected(read.error());
-  if (!records.wkt.empty()) {
-    header.crs = describe_crs(records.wkt);
-  } else if (!records.geo_keys.empty()) {
-    header.crs = crs_of_keys(records);
-  }
+  HF_TRY(header.crs, las_crs(file, records));
   return header;
 }
 

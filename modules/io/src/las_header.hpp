@@ -1,6 +1,8 @@
 #pragma once
 
 #include "input_file.hpp"
+#include "las_attributes.hpp"
+#include "las_crs.hpp"
 
 #include <hybridfusion/io/las.hpp>
 
@@ -18,9 +20,9 @@ struct LasHeader {
   std::uint64_t points_begin = 0;
   std::array<double, 3> scale = {};
   std::array<double, 3> offset = {};
-  bool absolute_time = false;   ///< Adjusted standard GPS time, not seconds of a week.
-  std::size_t source_byte = 0;  ///< Place of the extra byte `source`; 0: absent.
-  CrsDescription crs = {};
+  bool absolute_time = false;  ///< Adjusted standard GPS time, not seconds of a week.
+  LasExtraFields extra = {};
+  LasCrs crs = {};
 };
 
 /// Bytes of the point formats 0 to 10, and where time and colour lie (0: absent).

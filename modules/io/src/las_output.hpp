@@ -1,5 +1,7 @@
 #pragma once
 
+#include "las_attributes.hpp"
+
 #include <hybridfusion/core/error.hpp>
 #include <hybridfusion/core/point_cloud.hpp>
 #include <hybridfusion/io/atomic_file.hpp>
@@ -9,8 +11,10 @@
 #include <filesystem>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -23,7 +27,8 @@ using LasWorld = std::function<Expected<Eigen::Vector3d>(const Eigen::Vector3f&)
 
 /// What the numbers of a LAS file are relative to.
 struct LasScaling {
-  Eigen::Vector3d offset = Eigen::Vector3d::Zero();  ///< Of the coordinates [m].
+  Eigen::Vector3d offset = Eigen::Vector3d::Zero();   ///< Of the coordinates [m].
+  Eigen::Vector3d units_m = Eigen::Vector3d::Ones();  ///< Of the coordinates of the file.
   float intensity_factor = 1.0F;
   std::string wkt = {};
   LasVersion version = LasVersion::k14;
@@ -31,6 +36,22 @@ struct LasScaling {
 
 /// Factor that brings intensities into 16 bits: 0..1 is stretched, larger ranges are compressed.
 [[nodiscard]] float las_intensity_factor(float largest);
+
+/// A field behind those that the point format has.
+struct LasExtraOutput {
+  std::string name = {};
+  std::string description = {};
+  ScalarType type = ScalarType::kUint8;
+  std::function<double(const CloudBatch&, std::size_t)> value = {};
+};
+
+/// What the points of a file have, by the first of them.
+struct LasChannels {
+  bool colors = false;
+  std::vector<std::pair<double LasAttributes::*, std::size_t>> attributes = {};  ///< And scalar.
+  std::optional<std::size_t> gps_time = {};                                      ///< Scalar.
+  std::vector<LasExtraOutput> extra = {};
+};
 
 /// A LAS file as write_las() makes it, that comes in pieces. It appears when commit() is called.
 class LasPieceWriter {
@@ -41,7 +62,7 @@ class LasPieceWriter {
   /// @pre validate(piece); every piece has the channels of the first. @returns errors of
   /// `to_world`; kDegenerate for a point too far from the offset and for more points than the
   /// version can count.
-  [[nodiscard]] Expected<void> add(const PointCloud& piece, const LasWorld& to_world);
+  [[nodiscard]] Expected<void> add(const CloudBatch& piece, const LasWorld& to_world);
   /// @returns kInsufficient when there were no points; kIo.
   [[nodiscard]] Expected<void> commit();
 
@@ -55,7 +76,8 @@ class LasPieceWriter {
   AtomicFile file_;
   LasScaling scaling_;
   std::uint64_t num_points_ = 0;
-  PointCloud channels_ = {};  ///< One point with the channels of all.
+  LasChannels channels_ = {};
+  double largest_gps_time_s_ = 0.0;
   Eigen::Vector3i low_ = Eigen::Vector3i::Constant(std::numeric_limits<int>::max());
   Eigen::Vector3i high_ = Eigen::Vector3i::Constant(std::numeric_limits<int>::min());
 };

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -52,15 +54,27 @@ Expected<void> write_las(const std::filesystem::path& path,
     if (!projection) return Eigen::Vector3d(point.cast<double>() + options.offset_m);
     return (*projection)(point.cast<double>());
   };
+  const Eigen::Vector3d units_m =
+      projection ? projection->units_m() : Eigen::Vector3d(Eigen::Vector3d::Ones());
   HF_TRY(const Eigen::Vector3d offset, lowest_metre(cloud, to_world));
   const float largest = cloud.intensities.empty() ? 0.0F : std::ranges::max(cloud.intensities);
   HF_TRY(LasPieceWriter file,
          LasPieceWriter::create(path,
                                 {.offset = offset,
+                                 .units_m = units_m,
                                  .intensity_factor = las_intensity_factor(largest),
                                  .wkt = projection ? projection->wkt() : options.wkt,
                                  .version = options.version}));
-  if (auto added = file.add(cloud, to_world); !added) return added;
+  // In pieces, so that a large cloud is not copied as a whole.
+  constexpr std::size_t kPiecePoints = std::size_t{1} << 16U;
+  std::vector<std::size_t> indices;
+  for (std::size_t begin = 0; begin < cloud.size(); begin += kPiecePoints) {
+    indices.resize(std::min(kPiecePoints, cloud.size() - begin));
+    std::iota(indices.begin(), indices.end(), begin);
+    CloudBatch piece;
+    static_cast<PointCloud&>(piece) = select(cloud, indices);
+    if (auto added = file.add(piece, to_world); !added) return added;
+  }
   return file.commit();
 }
 

@@ -45,6 +45,7 @@ void McapFile::rewind() {
   warnings_.clear();
   truncated_ = false;
   ended_ = false;
+  num_messages_ = 0;
   file_.seek(kMcapMagic.size());
 }
 
@@ -73,12 +74,13 @@ void McapFile::add_channel(Bytes content) {
 
 void McapFile::add_message(Bytes content,
                            const Storage& storage,
-                           std::vector<BagMessage>& messages) const {
+                           std::vector<BagMessage>& messages) {
   ByteReader reader(content);
   const auto channel = reader.read<std::uint16_t>();
   reader.skip(sizeof(std::uint32_t));  // sequence number
   const auto log_time = reader.read<std::uint64_t>();
   reader.skip(sizeof(std::uint64_t));  // publish time
+  ++num_messages_;
   if (reader.failed() || !connection_index_.contains(channel)) return;
   messages.push_back({.connection = channel,
                       .time = mcap_time(log_time),

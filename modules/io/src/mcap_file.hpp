@@ -16,6 +16,7 @@ class McapFile {
   struct ChunkInfo {
     std::uint64_t position = 0;  ///< Byte offset of the chunk record.
     Timestamp start{};           ///< Earliest message.
+    std::uint64_t end = 0;       ///< Behind the chunk and the message indexes that follow it.
   };
 
   /// @param name  What messages call the file; empty: its path.
@@ -35,6 +36,8 @@ class McapFile {
   [[nodiscard]] Expected<std::vector<BagMessage>> read_chunk_at(std::uint64_t position);
   [[nodiscard]] Expected<std::optional<std::vector<BagMessage>>> read_next_chunk();
   void rewind();
+  /// Compares what was read with what the file says of itself; to be called at the end.
+  void note_end();
 
  private:
   using Storage = std::shared_ptr<const std::vector<std::byte>>;
@@ -44,6 +47,10 @@ class McapFile {
   /// False when there is none that is sound.
   [[nodiscard]] Expected<bool> read_summary();
   [[nodiscard]] bool read_statistics(Bytes content);
+  /// Whether the index leaves out messages or chunks: some writers put large messages between the
+  /// chunks, and an index may be older than the file.
+  [[nodiscard]] Expected<bool> index_is_incomplete(std::uint64_t data_end);
+  [[nodiscard]] Expected<bool> holds_messages(std::uint64_t begin, std::uint64_t end);
   [[nodiscard]] bool add_chunk_info(Bytes content, std::uint64_t summary_start);
   [[nodiscard]] Expected<std::vector<BagMessage>> read_chunk(std::uint64_t position,
                                                              std::uint64_t content_bytes);
@@ -52,7 +59,7 @@ class McapFile {
                      std::vector<BagMessage>& messages);
   void add_schema(Bytes content);
   void add_channel(Bytes content);
-  void add_message(Bytes content, const Storage& storage, std::vector<BagMessage>& messages) const;
+  void add_message(Bytes content, const Storage& storage, std::vector<BagMessage>& messages);
   void warn(std::string text);
   void mark_truncated(std::uint64_t position);
   void forget_summary();
@@ -62,6 +69,8 @@ class McapFile {
   std::vector<BagConnection> connections_ = {};
   std::unordered_map<std::uint32_t, std::size_t> connection_index_ = {};
   std::vector<ChunkInfo> chunks_ = {};
+  std::optional<std::uint64_t> declared_messages_ = {};  ///< Of all channels, by the statistics.
+  std::uint64_t num_messages_ = 0;                       ///< Read since the last rewind.
   std::vector<std::string> warnings_ = {};
   bool truncated_ = false;
   bool ended_ = false;  ///< The end was met, or its absence noted.

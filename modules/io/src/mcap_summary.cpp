@@ -1,6 +1,8 @@
 #include "mcap_file.hpp"
 #include "mcap_records.hpp"
 
+#include <fmt/format.h>
+
 namespace hybridfusion {
 namespace {
 
@@ -18,6 +20,7 @@ void McapFile::forget_summary() {
   connections_.clear();
   connection_index_.clear();
   chunks_.clear();
+  declared_messages_.reset();
 }
 
 Expected<bool> McapFile::read_summary() {
@@ -54,7 +57,44 @@ Expected<bool> McapFile::read_summary() {
   // Without chunks in the summary the records are read one after the other; they tell all again.
   if (!usable || connections_.empty()) forget_summary();
   std::ranges::stable_sort(chunks_, {}, &ChunkInfo::position);
+  HF_TRY(const bool incomplete, index_is_incomplete(start));
+  if (incomplete) chunks_.clear();
   return usable;
+}
+
+Expected<bool> McapFile::index_is_incomplete(std::uint64_t data_end) {
+  std::uint64_t end = kMcapMagic.size();
+  for (const ChunkInfo& chunk : chunks_) {
+    if (chunk.position < end || chunk.end > data_end) return true;
+    HF_TRY(const bool found, holds_messages(end, chunk.position));
+    if (found) return true;
+    end = chunk.end;
+  }
+  return holds_messages(end, data_end);
+}
+
+Expected<bool> McapFile::holds_messages(std::uint64_t begin, std::uint64_t end) {
+  file_.seek(begin);
+  while (file_.position() + kMcapHeaderBytes <= end) {
+    HF_TRY(const auto bytes, file_.take(kMcapHeaderBytes));
+    const McapHeader header = mcap_header(bytes);
+    if (header.op == McapOp::kMessage || header.op == McapOp::kChunk) return true;
+    if (header.content_bytes > end - file_.position()) return true;
+    if (auto skipped = file_.skip(header.content_bytes); !skipped) {
+      return std::unexpected(skipped.error());
+    }
+  }
+  return false;
+}
+
+void McapFile::note_end() {
+  if (!declared_messages_ || truncated_ || num_messages_ == *declared_messages_) return;
+  warn(
+      fmt::format("{}: its statistics count {} messages, {} were found; check that the copy is "
+                  "complete",
+                  file_.path().string(),
+                  *declared_messages_,
+                  num_messages_));
 }
 
 bool McapFile::add_chunk_info(Bytes content, std::uint64_t summary_start) {
@@ -62,15 +102,23 @@ bool McapFile::add_chunk_info(Bytes content, std::uint64_t summary_start) {
   const auto start = reader.read<std::uint64_t>();
   reader.skip(sizeof(std::uint64_t));  // end time
   const auto position = reader.read<std::uint64_t>();
+  const auto bytes = reader.read<std::uint64_t>();
+  reader.skip(reader.read<std::uint32_t>());  // offsets of the message indexes
+  const auto index_bytes = reader.read<std::uint64_t>();
   if (reader.failed() || position < kMcapMagic.size() || position >= summary_start) return false;
-  chunks_.push_back({.position = position, .start = mcap_time(start)});
+  if (bytes > summary_start - position || index_bytes > summary_start - position - bytes) {
+    return false;
+  }
+  chunks_.push_back(
+      {.position = position, .start = mcap_time(start), .end = position + bytes + index_bytes});
   return true;
 }
 
 bool McapFile::read_statistics(Bytes content) {
-  constexpr std::size_t kBeforeCounts = 8 + 2 + 4 + 4 + 4 + 4 + 8 + 8;
+  constexpr std::size_t kBetween = 2 + 4 + 4 + 4 + 4 + 8 + 8;
   ByteReader reader(content);
-  reader.skip(kBeforeCounts);
+  const auto total = reader.read<std::uint64_t>();
+  reader.skip(kBetween);
   const auto map_bytes = reader.read<std::uint32_t>();
   ByteReader counts(reader.take(map_bytes));
   if (reader.failed()) return false;
@@ -79,6 +127,10 @@ bool McapFile::read_statistics(Bytes content) {
     const auto id = counts.read<std::uint16_t>();
     by_channel[id] = counts.read<std::uint64_t>();
   }
+  declared_messages_ = total;
+  std::uint64_t sum = 0;
+  for (const auto& [id, count] : by_channel) sum += count;
+  if (sum != total) return true;  // counts of channels are optional
   for (BagConnection& connection : connections_) connection.messages = by_channel[connection.id];
   return true;
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "recorded_clock.hpp"
+
 #include <hybridfusion/io/rosbag1.hpp>
 
 #include <algorithm>
@@ -37,6 +39,10 @@ class MessageMerger {
   [[nodiscard]] bool wanted(const BagMessage& message) const;
   [[nodiscard]] Expected<void> load_chunk();
   void enqueue(std::vector<BagMessage> messages);
+  void end() {
+    exhausted_ = true;
+    if constexpr (requires { file_.note_end(); }) file_.note_end();
+  }
   [[nodiscard]] Timestamp earliest_to_come() const;
 
   File file_;
@@ -44,6 +50,7 @@ class MessageMerger {
   std::vector<Timestamp> earliest_from_ = {};  ///< Earliest start of chunk i and all after it.
   bool exhausted_ = false;
   Timestamp last_chunk_start_ = kNever;
+  RecordedClock clock_ = {};
   std::optional<std::set<std::string>> topics_ = {};
   // A vector kept sorted by descending time: the next message is at the back, equal times keep the
   // order of the file.
@@ -93,7 +100,8 @@ bool MessageMerger<File>::wanted(const BagMessage& message) const {
 template <class File>
 void MessageMerger<File>::enqueue(std::vector<BagMessage> messages) {
   last_chunk_start_ = kNever;
-  for (const BagMessage& message : messages) {
+  for (BagMessage& message : messages) {
+    message.time = clock_.place(message.connection, message.time);
     last_chunk_start_ = std::min(last_chunk_start_, message.time);
   }
   std::erase_if(messages, [this](const BagMessage& message) { return !wanted(message); });
@@ -111,7 +119,7 @@ template <class File>
 Expected<void> MessageMerger<File>::load_chunk() {
   if (file_.has_index()) {
     if (next_chunk_ == file_.chunks().size()) {
-      exhausted_ = true;
+      end();
       return {};
     }
     HF_TRY(auto messages, file_.read_chunk_at(file_.chunks()[next_chunk_].position));
@@ -121,7 +129,7 @@ Expected<void> MessageMerger<File>::load_chunk() {
   }
   HF_TRY(auto messages, file_.read_next_chunk());
   if (!messages) {
-    exhausted_ = true;
+    end();
   } else {
     enqueue(std::move(*messages));
   }

@@ -206,11 +206,13 @@ Expected<void> read_pcd_rows(InputFile& file, const PcdHeader& header, const Pcd
   return read_data(file, header, rows);
 }
 
-Expected<CloudFileFacts> read_pcd_rows(const std::filesystem::path& path,
-                                       const CloudRowSink& sink) {
+Expected<CloudFileFacts> read_pcd_cloud_rows(const std::filesystem::path& path,
+                                             const CloudRowSink& sink) {
   HF_TRY(InputFile file, InputFile::open(path));
   HF_TRY(const PcdHeader header, read_pcd_header(file));
-  const std::vector<CloudColumn> columns = pcd_columns(header);
+  PcdHeader labelled = header;
+  for (PcdField& field : labelled.fields) field.name = field.label;
+  const std::vector<CloudColumn> columns = pcd_columns(labelled);
   if (!has_coordinates(columns)) {
     return file.malformed("the points have no x, y and z", "give a file with points");
   }
@@ -221,11 +223,17 @@ Expected<CloudFileFacts> read_pcd_rows(const std::filesystem::path& path,
                             return {};
                           }};
   if (auto read = read_pcd_rows(file, header, points); !read) return std::unexpected(read.error());
-  return CloudFileFacts{};
+  CloudFileFacts facts{.viewpoint = header.viewpoint};
+  for (const PcdField& field : header.fields) {
+    if (field.count < 2 || field.name == "_") continue;
+    facts.warnings.push_back(fmt::format(
+        "field '{}' of {} values a point is left out", printable(field.name), field.count));
+  }
+  return facts;
 }
 
 Expected<PointCloud> read_pcd(const std::filesystem::path& path) {
-  return build_cloud(path, read_pcd_rows);
+  return build_cloud(path, read_pcd_cloud_rows);
 }
 
 }  // namespace hybridfusion

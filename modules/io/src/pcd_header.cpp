@@ -37,8 +37,20 @@ struct RawHeader {
   std::optional<std::uint64_t> width = {};
   std::optional<std::uint64_t> height = {};
   std::optional<std::uint64_t> points = {};
+  std::optional<Viewpoint> viewpoint = Viewpoint(kNoViewpoint);  ///< Nothing: not seven numbers.
   std::string data = {};
 };
+
+[[nodiscard]] std::optional<Viewpoint> parse_viewpoint(std::span<const std::string_view> words) {
+  Viewpoint viewpoint{};
+  if (words.size() != viewpoint.size() + 1) return std::nullopt;
+  for (std::size_t i = 0; i < viewpoint.size(); ++i) {
+    const auto number = parse_number<double>(words[i + 1]);
+    if (!number) return std::nullopt;
+    viewpoint[i] = *number;
+  }
+  return viewpoint;
+}
 
 Expected<RawHeader> read_raw_header(InputFile& file) {
   RawHeader header;
@@ -62,6 +74,7 @@ Expected<RawHeader> read_raw_header(InputFile& file) {
     if (words[0] == "COUNT") header.counts = texts();
     if (words[0] == "WIDTH") header.width = number();
     if (words[0] == "HEIGHT") header.height = number();
+    if (words[0] == "VIEWPOINT") header.viewpoint = parse_viewpoint(words);
     if (words[0] == "POINTS") header.points = number();
     if (words[0] == "DATA" && words.size() == 2) header.data = words[1];
   }
@@ -77,7 +90,7 @@ Expected<PcdHeader> read_pcd_header(InputFile& file) {
       (!raw.counts.empty() && raw.counts.size() != count)) {
     return file.malformed("the header's FIELDS, SIZE, TYPE and COUNT lines do not match", kAgain);
   }
-  PcdHeader header = {.data = raw.data};
+  PcdHeader header = {.viewpoint = raw.viewpoint.value_or(kNoViewpoint), .data = raw.data};
   std::size_t columns = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const auto type = scalar_type(raw.types[i], raw.sizes[i]);
@@ -89,8 +102,11 @@ Expected<PcdHeader> read_pcd_header(InputFile& file) {
     }
     const std::string name = lower_case(raw.fields[i]);
     const bool packed = (name == "rgb" || name == "rgba") && size_of(*type) == 4 && *repeat == 1;
-    header.fields.push_back(
-        {.name = name, .type = *type, .count = *repeat, .packed_color = packed});
+    header.fields.push_back({.name = name,
+                             .label = raw.fields[i],
+                             .type = *type,
+                             .count = *repeat,
+                             .packed_color = packed});
     columns += *repeat;
   }
   if (columns == 0 || columns > kMaxColumns) {
@@ -103,7 +119,9 @@ Expected<PcdHeader> read_pcd_header(InputFile& file) {
   std::uint64_t cells = 0;
   const bool wraps = has_grid && __builtin_mul_overflow(*raw.width, *raw.height, &cells);
   header.points = raw.points.value_or(cells);
-  if (has_grid && (wraps || cells != header.points)) {
+  // PCL writes 0 x 0 beside the number of points when a cloud was filled by hand.
+  const bool no_grid = has_grid && cells == 0 && !wraps;
+  if (has_grid && !no_grid && (wraps || cells != header.points)) {
     return file.malformed("the header's WIDTH, HEIGHT and POINTS do not fit each other", kAgain);
   }
   return header;

@@ -11,7 +11,8 @@
 namespace hybridfusion {
 
 struct PcdField {
-  std::string name = {};
+  std::string name = {};   ///< In lower case.
+  std::string label = {};  ///< As written.
   ScalarType type = ScalarType::kFloat32;
   std::size_t count = 1;
   bool packed_color = false;  ///< "rgb" or "rgba": 0xAARRGGBB, perhaps in the bits of a float.
@@ -21,6 +22,7 @@ struct PcdField {
 struct PcdHeader {
   std::vector<PcdField> fields = {};
   std::uint64_t points = 0;
+  Viewpoint viewpoint = kNoViewpoint;
   std::string data = {};  ///< "ascii", "binary", "binary_compressed"
 
   [[nodiscard]] std::size_t point_bytes() const {

@@ -20,21 +20,29 @@ class PcdPieceWriter {
   /// @returns kIo.
   [[nodiscard]] static Expected<PcdPieceWriter> create(const std::filesystem::path& path,
                                                        std::uint64_t num_points,
-                                                       CloudEncoding encoding);
+                                                       CloudEncoding encoding,
+                                                       const Viewpoint& viewpoint = kNoViewpoint);
   /// @pre validate(piece); every piece has the channels of the first.
-  void add(const PointCloud& piece);
+  void add(const CloudBatch& piece);
   [[nodiscard]] Expected<void> commit();
 
  private:
-  PcdPieceWriter(AtomicFile file, std::uint64_t num_points, CloudEncoding encoding)
-      : file_(std::move(file)), num_points_(num_points), encoding_(encoding) {}
-  void start(const PointCloud& channels);
+  PcdPieceWriter(AtomicFile file,
+                 std::uint64_t num_points,
+                 CloudEncoding encoding,
+                 const Viewpoint& viewpoint)
+      : file_(std::move(file)),
+        num_points_(num_points),
+        encoding_(encoding),
+        viewpoint_(viewpoint) {}
+  void start(const CloudBatch& channels);
 
   AtomicFile file_;
   std::uint64_t num_points_;
   CloudEncoding encoding_;
+  Viewpoint viewpoint_;
   std::optional<PcdFormat> format_ = {};  ///< Known with the channels of the first piece.
-  PointCloud whole_ = {};                 ///< Compressed files only.
+  CloudBatch whole_ = {};                 ///< Compressed files only.
 };
 
 }  // namespace hybridfusion

@@ -1,5 +1,6 @@
 #include "cloud_rows.hpp"
 #include "ply_format.hpp"
+#include "text.hpp"
 
 #include <hybridfusion/io/atomic_file.hpp>
 #include <hybridfusion/io/ply.hpp>
@@ -49,7 +50,7 @@ Expected<void> for_each_row(PlyReader& reader, const PlyElement& element, Visit&
   return columns;
 }
 
-/// @param add  Returns false for a row with coordinates that are not finite.
+/// @param add  Takes a row; points that are not finite are its business.
 template <class Add>
 Expected<void> read_vertices(PlyReader& reader, const PlyElement& element, Add&& add) {
   if (!has_coordinates(columns_of(element))) {
@@ -58,12 +59,9 @@ Expected<void> read_vertices(PlyReader& reader, const PlyElement& element, Add&&
   return for_each_row(
       reader,
       element,
-      [&](std::uint64_t row, const std::vector<double>& scalars, const auto&) -> Expected<void> {
-        HF_TRY(const bool finite, add(scalars));
-        if (finite) return {};
-        return reader.file().malformed(
-            fmt::format("vertex {} has a coordinate that is not finite", row),
-            "remove such points, then try again");
+      [&](std::uint64_t, const std::vector<double>& scalars, const auto&) -> Expected<void> {
+        HF_TRY([[maybe_unused]] const bool kept, add(scalars));
+        return {};
       });
 }
 
@@ -143,7 +141,18 @@ Expected<CloudFileFacts> read_ply_rows(const std::filesystem::path& path,
   if (auto read = read_vertices(reader, *vertices, sink.row); !read) {
     return std::unexpected(read.error());
   }
-  return CloudFileFacts{};
+  CloudFileFacts facts;
+  for (const PlyProperty& property : vertices->properties) {
+    if (!property.count_type) continue;
+    facts.warnings.push_back(
+        fmt::format("list '{}' of its points is left out", printable(property.name)));
+  }
+  for (const PlyElement& element : reader.elements()) {
+    if (element.name == vertices->name || element.count == 0) continue;
+    facts.warnings.push_back(
+        fmt::format("{} rows of '{}' are left out", element.count, printable(element.name)));
+  }
+  return facts;
 }
 
 Expected<void> read_ply_batches(const std::filesystem::path& path,
@@ -168,6 +177,10 @@ Expected<TriangleMesh> read_ply_mesh(const std::filesystem::path& path) {
   for (const PlyElement& element : reader.elements()) {
     if (element.name == "vertex" && !has_vertices) {
       HF_TRY(PointCloud cloud, build_vertices(path, reader, element));
+      // The faces count the vertices.
+      if (cloud.size() != element.count) {
+        return reader.file().malformed("a vertex of the mesh is not finite", kAgain);
+      }
       mesh.vertices = std::move(cloud.points);
       mesh.colors = std::move(cloud.colors);
       has_vertices = true;

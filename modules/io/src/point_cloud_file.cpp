@@ -21,15 +21,17 @@ namespace {
 }
 
 [[nodiscard]] bool is_text_cloud(std::string_view extension) {
-  return extension == ".xyz" || extension == ".txt" || extension == ".csv" || extension == ".pts";
+  return extension == ".xyz" || extension == ".txt" || extension == ".csv" || extension == ".asc" ||
+         extension == ".pts";
 }
 
 [[nodiscard]] std::unexpected<Error> not_read(const std::filesystem::path& path) {
-  return fail(ErrorCode::kInvalidOptions,
-              fmt::format("{}: clouds are read from .ply, .pcd, .las, .xyz, .txt, .csv and .pts, "
-                          "not '{}'; convert the cloud",
-                          path.string(),
-                          extension_of(path)));
+  return fail(
+      ErrorCode::kInvalidOptions,
+      fmt::format("{}: clouds are read from .ply, .pcd, .las, .xyz, .txt, .csv, .asc and .pts, "
+                  "not '{}'; convert the cloud",
+                  path.string(),
+                  extension_of(path)));
 }
 
 [[nodiscard]] std::unexpected<Error> not_written(const std::filesystem::path& path) {
@@ -39,12 +41,22 @@ namespace {
                           extension_of(path)));
 }
 
-Expected<CloudRowReader> reader_of(const std::filesystem::path& path) {
+Expected<CloudRowReader> reader_of(const std::filesystem::path& path,
+                                   const std::vector<std::string>& columns = {}) {
   const std::string extension = extension_of(path);
+  if (!columns.empty() && !is_text_cloud(extension)) {
+    return fail(
+        ErrorCode::kInvalidOptions,
+        fmt::format("{}: --columns is for text clouds (.xyz .txt .csv .asc .pts)", path.string()));
+  }
   if (extension == ".ply") return CloudRowReader{read_ply_rows};
-  if (extension == ".pcd") return CloudRowReader{read_pcd_rows};
+  if (extension == ".pcd") return CloudRowReader{read_pcd_cloud_rows};
   if (extension == ".las") return CloudRowReader{read_las_rows};
-  if (is_text_cloud(extension)) return CloudRowReader{read_xyz_rows};
+  if (is_text_cloud(extension)) {
+    return CloudRowReader{[columns](const std::filesystem::path& file, const CloudRowSink& sink) {
+      return read_text_rows(file, sink, columns);
+    }};
+  }
   return not_read(path);
 }
 
@@ -75,9 +87,13 @@ Expected<PlacedCloud> read_placed_cloud(const std::filesystem::path& path) {
   return collect_rows(path, survey, reader);
 }
 
-Expected<CloudSurvey> survey_cloud(const std::filesystem::path& path, const RunContext& ctx) {
-  HF_TRY(const CloudRowReader reader, reader_of(path));
-  return survey_rows(path, reader, ctx);
+Expected<CloudSurvey> survey_cloud(const std::filesystem::path& path,
+                                   const RunContext& ctx,
+                                   const std::vector<std::string>& columns) {
+  HF_TRY(const CloudRowReader reader, reader_of(path, columns));
+  HF_TRY(CloudSurvey survey, survey_rows(path, reader, ctx));
+  survey.columns = columns;
+  return survey;
 }
 
 Expected<void> read_cloud_batches(const std::filesystem::path& path,
@@ -85,7 +101,7 @@ Expected<void> read_cloud_batches(const std::filesystem::path& path,
                                   std::size_t batch_points,
                                   const CloudBatchVisitor& visit,
                                   const RunContext& ctx) {
-  HF_TRY(const CloudRowReader reader, reader_of(path));
+  HF_TRY(const CloudRowReader reader, reader_of(path, survey.columns));
   return visit_rows(path, survey, reader, {.points = batch_points, .visit = visit}, ctx);
 }
 
@@ -111,7 +127,9 @@ Expected<bool> write_placed_cloud(const std::filesystem::path& path, const Place
       .has_intensity = !intensities.empty(),
       .largest_intensity = intensities.empty() ? 0.0F : std::ranges::max(intensities)};
   HF_TRY(CloudWriter file, CloudWriter::create(path, survey, CloudFormat{}));
-  if (auto added = file.add(placed.cloud); !added) return std::unexpected(added.error());
+  CloudBatch batch;
+  static_cast<PointCloud&>(batch) = placed.cloud;
+  if (auto added = file.add(batch); !added) return std::unexpected(added.error());
   if (auto written = file.commit(); !written) return std::unexpected(written.error());
   return file.keeps_offset();
 }

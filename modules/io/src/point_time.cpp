@@ -133,7 +133,14 @@ void PointTimeReader::convert(LidarScan& scan,
                               std::span<const double> values,
                               const Extent& extent) {
   Timestamp zero{};
-  if (format_->clock == Clock::kAbsolute) zero = scan.stamp;
+  if (format_->clock == Clock::kAbsolute) {
+    // The points know better than a header of which the stamp is missing or displaced.
+    const auto first = to_timestamp(extent.low, format_->unit_ns);
+    const auto last = to_timestamp(extent.high, format_->unit_ns);
+    const bool one_scan = first && last && *last - *first < seconds(1);
+    if (one_scan && std::chrono::abs(*first - scan.stamp) > seconds(1)) scan.stamp = *first;
+    zero = scan.stamp;
+  }
   if (format_->clock == Clock::kForeign) {
     zero = to_timestamp(extent.low, format_->unit_ns).value_or(Timestamp{});
   }
@@ -153,6 +160,7 @@ void PointTimeReader::convert(LidarScan& scan,
 }
 
 void PointTimeReader::synthesize(LidarScan& scan, std::string_view why) {
+  made_up_ = true;
   const Timestamp period = scan_period();
   const auto offsets = offsets_from_azimuth(scan.points, period);
   const std::string text = fmt::format(
@@ -170,7 +178,9 @@ void PointTimeReader::synthesize(LidarScan& scan, std::string_view why) {
 void PointTimeReader::assign(LidarScan& scan, const RawPointTimes& raw) {
   note_stamp(scan.stamp);
   if (scan.points.empty()) return;
-  if (raw.values.empty()) return synthesize(scan, "the scans have no time per point");
+  if (raw.values.empty()) {
+    return synthesize(scan, raw.missing.empty() ? "the scans have no time per point" : raw.missing);
+  }
   const Extent extent = measure(scan, raw.values);
   if (!format_ && extent.varies) format_ = detect(scan, raw, extent);
   if (!extent.varies && (!format_ || extent.count >= 4)) {

@@ -20,6 +20,7 @@ struct RawPointTimes {
   std::string_view field = {};
   ScalarType type = ScalarType::kFloat32;
   std::vector<double> values = {};  ///< One per point of the scan.
+  std::string missing = {};         ///< Why there are none, if the reader of the scan knows.
 };
 
 /// Fills LidarPoint::offset_ns. What the time field means (unit, relative or absolute) is decided
@@ -38,6 +39,7 @@ class PointTimeReader {
   void assign(LidarScan& scan, const RawPointTimes& raw);
 
   [[nodiscard]] const std::string& description() const { return description_; }
+  [[nodiscard]] bool made_up() const { return made_up_; }
   [[nodiscard]] std::vector<std::string> take_warnings();
   void warn_once(std::string text);
 
@@ -72,6 +74,7 @@ class PointTimeReader {
   std::optional<Format> format_ = {};
   int num_misfits_ = 0;  ///< Scans in a row whose span does not fit their distance.
   std::string description_ = {};
+  bool made_up_ = false;
   std::vector<std::string> warnings_ = {};
   std::set<std::string> told_ = {};
   std::optional<Timestamp> last_stamp_ = {};

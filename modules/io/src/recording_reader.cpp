@@ -24,6 +24,23 @@ Expected<std::vector<std::byte>> first_bytes(const std::filesystem::path& path) 
   return std::vector<std::byte>(bytes.begin(), bytes.end());
 }
 
+/// Bags and folders of ROS 2 bags that lie in a folder, by name.
+[[nodiscard]] std::vector<std::string> recordings_in(const std::filesystem::path& folder) {
+  std::vector<std::string> names;
+  std::error_code code;
+  for (std::filesystem::directory_iterator entry(folder, code), end; !code && entry != end;
+       entry.increment(code)) {
+    const std::string name = entry->path().filename().string();
+    std::error_code ignored;
+    if (lower_case(name).ends_with(".bag") ||
+        std::filesystem::exists(entry->path() / "metadata.yaml", ignored)) {
+      names.push_back(name);
+    }
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
 Expected<Container> container_of_folder(const std::filesystem::path& folder) {
   bool scans = false;
   std::error_code code;
@@ -33,12 +50,19 @@ Expected<Container> container_of_folder(const std::filesystem::path& folder) {
     if (name == "metadata.yaml" || name.ends_with(".db3") || name.ends_with(".mcap")) {
       return Container::kRos2Folder;
     }
-    scans = scans || name == "imu.csv";
+    scans = scans || name == "imu.csv" || name.ends_with(".pcd");
   }
   if (scans) return Container::kScanFolder;
+  if (const auto inside = recordings_in(folder); !code && !inside.empty()) {
+    return fail(ErrorCode::kParse,
+                fmt::format("{}: a folder of recordings: {}; give {}",
+                            folder.string(),
+                            printable(fmt::format("{}", fmt::join(inside, ", "))),
+                            inside.size() == 1 ? "this one itself" : "one of these"));
+  }
   return fail(code ? ErrorCode::kIo : ErrorCode::kParse,
               fmt::format("{}: {}; give a ROS 1 bag, a ROS 2 bag (folder, .db3 or .mcap) or a "
-                          "folder with imu.csv and the scans as .pcd files",
+                          "folder with the scans as .pcd files and, where there is one, imu.csv",
                           folder.string(),
                           code ? code.message() : "a folder without a recording"));
 }

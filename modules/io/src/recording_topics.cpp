@@ -3,6 +3,7 @@
 #include "text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 
 #include <fmt/format.h>
@@ -11,7 +12,7 @@ namespace hybridfusion {
 namespace {
 
 [[nodiscard]] bool is_lidar(std::string_view type) {
-  return is_point_cloud2(type) || is_livox(type);
+  return is_point_cloud2(type) || is_compressed_cloud(type) || is_livox(type);
 }
 
 [[nodiscard]] std::string list_topics(const std::vector<RecordingTopic>& topics) {
@@ -71,6 +72,10 @@ Expected<std::string> asked_for(const std::filesystem::path& path,
   if (candidates.empty()) return {};
   std::ranges::stable_sort(candidates, [](const RecordingTopic& a, const RecordingTopic& b) {
     if (is_livox(a.type) != is_livox(b.type)) return is_livox(a.type);
+    // A compressed cloud is a copy, which may be lossy.
+    if (is_compressed_cloud(a.type) != is_compressed_cloud(b.type)) {
+      return is_compressed_cloud(b.type);
+    }
     return a.messages.value_or(1) > b.messages.value_or(1);
   });
   if (candidates.size() > 1) {
@@ -88,14 +93,52 @@ Expected<std::string> asked_for(const std::filesystem::path& path,
   return candidates.front().name;
 }
 
+/// Types whose messages hold packets as the sensor sent them, and what makes points of them.
+struct PacketType {
+  std::string_view type;  ///< Without "msg/".
+  std::string_view decoder;
+};
+constexpr std::array<PacketType, 11> kPacketTypes = {{
+    {"velodyne_msgs/VelodyneScan", "velodyne_pointcloud"},
+    {"ouster_ros/PacketMsg", "ouster_ros with the metadata of the recording (replay.launch)"},
+    {"ouster_sensor_msgs/PacketMsg",
+     "ouster_ros with the metadata of the recording (replay.launch)"},
+    {"ouster_msgs/PacketMsg", "ros2_ouster_drivers"},
+    {"pandar_msgs/PandarScan", "hesai_lidar / hesai_ros_driver (source: rosbag packets)"},
+    {"hesai_lidar/PandarScan", "hesai_lidar"},
+    {"hesai_ros_driver/UdpFrame", "hesai_ros_driver (source_type 3: packets of a rosbag)"},
+    {"rslidar_msgs/rslidarScan", "ros_rslidar"},
+    {"rslidar_msg/RslidarPacket", "rslidar_sdk (msg_source 2: packets of a rosbag)"},
+    {"rslidar_msg/RslidarScan", "rslidar_sdk (msg_source 2: packets of a rosbag)"},
+    {"nebula_msgs/NebulaPackets", "nebula_ros (launch_hw:=false)"},
+}};
+
+/// How to make points of the packets that a recording holds instead; empty when it holds none.
+[[nodiscard]] std::string packet_hint(const RecordingSummary& summary) {
+  for (const RecordingTopic& topic : summary.topics) {
+    std::string type = topic.type;
+    if (const std::size_t at = type.find("/msg/"); at != std::string::npos) type.erase(at, 4);
+    for (const PacketType& known : kPacketTypes) {
+      if (type != known.type) continue;
+      return fmt::format(
+          " ({} holds undecoded packets: play the recording back through {} and record the points "
+          "that it sends, with the IMU)",
+          printable(topic.name),
+          known.decoder);
+    }
+  }
+  return {};
+}
+
 [[nodiscard]] std::unexpected<Error> missing(const std::filesystem::path& path,
                                              const Role& role,
                                              const RecordingSummary& summary) {
   return fail(ErrorCode::kNotFound,
-              fmt::format("{}: no {} topic ({}); topics: {}; record the {} or give another bag",
+              fmt::format("{}: no {} topic ({}){}; topics: {}; record the {} or give another bag",
                           path.string(),
                           role.name,
                           role.expected,
+                          &role == &kLidar ? packet_hint(summary) : "",
                           list_topics(summary.topics),
                           role.name));
 }
@@ -104,6 +147,11 @@ Expected<std::string> asked_for(const std::filesystem::path& path,
 
 bool is_point_cloud2(std::string_view type) {
   return type == "sensor_msgs/PointCloud2" || type == "sensor_msgs/msg/PointCloud2";
+}
+
+bool is_compressed_cloud(std::string_view type) {
+  return type == "point_cloud_interfaces/msg/CompressedPointCloud2" ||
+         type == "point_cloud_interfaces/CompressedPointCloud2";
 }
 
 bool is_livox(std::string_view type) {
@@ -145,14 +193,14 @@ Expected<void> choose_topics(const std::filesystem::path& path,
   for (const Choice& choice : {Choice{kLidar, options.lidar_topic, summary.lidar_topic},
                                Choice{kImu, options.imu_topic, summary.imu_topic},
                                Choice{kGnss, options.gnss_topic, summary.gnss_topic}}) {
-    const bool optional = &choice.role == &kGnss;
+    const bool optional = &choice.role != &kLidar;
     if (optional && choice.asked == "none") continue;
     if (choice.asked.empty()) {
       choice.chosen = detected(choice.role, summary);
     } else {
       HF_TRY(choice.chosen, asked_for(path, choice.role, choice.asked, summary));
     }
-    if (choice.chosen.empty() && require == Require::kLidarAndImu && !optional) {
+    if (choice.chosen.empty() && require == Require::kLidar && !optional) {
       return missing(path, choice.role, summary);
     }
   }

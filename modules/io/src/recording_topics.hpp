@@ -10,6 +10,8 @@
 namespace hybridfusion {
 
 [[nodiscard]] bool is_point_cloud2(std::string_view type);
+/// As point_cloud_transport publishes them.
+[[nodiscard]] bool is_compressed_cloud(std::string_view type);
 [[nodiscard]] bool is_livox(std::string_view type);
 [[nodiscard]] bool is_imu(std::string_view type);
 [[nodiscard]] bool is_gnss(std::string_view type);
@@ -18,7 +20,7 @@ namespace hybridfusion {
 [[nodiscard]] std::vector<RecordingTopic> recording_topics(
     const std::vector<BagConnection>& connections);
 
-enum class Require : std::uint8_t { kNothing, kLidarAndImu };
+enum class Require : std::uint8_t { kNothing, kLidar };
 
 /// Fills the three topics of `summary` from the options or by type. Of several candidates the one
 /// with most messages is taken (a Livox message before a PointCloud2, which may be a copy of it)

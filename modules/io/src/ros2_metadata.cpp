@@ -4,6 +4,8 @@
 
 #include <hybridfusion/io/atomic_file.hpp>
 
+#include <algorithm>
+
 #include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
 
@@ -33,6 +35,12 @@ constexpr std::uint64_t kMaxBytes = std::uint64_t{1} << 24;
     if (entry["message_count"]) connection.messages = entry["message_count"].as<std::uint64_t>();
     connections.push_back(std::move(connection));
   }
+  // As a recorder leaves it that was killed: nothing counted yet.
+  const bool counted = std::ranges::any_of(
+      connections, [](const BagConnection& c) { return c.messages.value_or(0) > 0; });
+  for (BagConnection& connection : connections) {
+    if (!counted) connection.messages.reset();
+  }
   return connections;
 }
 
@@ -40,11 +48,18 @@ Expected<Ros2Metadata> parse(const std::filesystem::path& path, const std::strin
   const YAML::Node bag = YAML::Load(text)["rosbag2_bagfile_information"];
   if (!bag || !bag.IsMap()) return malformed(path, "no rosbag2_bagfile_information");
   Ros2Metadata metadata;
+  std::vector<std::string> listed;
   for (const YAML::Node& file : bag["relative_file_paths"]) {
+    listed.push_back(file.as<std::string>());
+  }
+  if (listed.empty()) {  // version 5 on has both lists
+    for (const YAML::Node& file : bag["files"]) listed.push_back(file["path"].as<std::string>());
+  }
+  for (const std::string& file : listed) {
     // Old recorders wrote "folder/file"; only what lies in the folder itself is read.
-    const std::filesystem::path name = std::filesystem::path(file.as<std::string>()).filename();
+    const std::filesystem::path name = std::filesystem::path(file).filename();
     if (name.empty() || name == "." || name == "..") {
-      return malformed(path, fmt::format("'{}' is no file", printable(file.as<std::string>())));
+      return malformed(path, fmt::format("'{}' is no file", printable(file)));
     }
     metadata.files.push_back(name.string());
   }

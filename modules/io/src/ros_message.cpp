@@ -28,34 +28,45 @@ namespace {
 
 }  // namespace
 
-Timestamp read_ros_header(RosReader& reader) {
+RosHeader read_ros_header(RosReader& reader) {
   if (reader.wire() == RosWire::kRos1) reader.skip<std::uint32_t>();  // sequence number
   const auto seconds = reader.read<std::uint32_t>();
   const auto nanoseconds = reader.read<std::uint32_t>();
-  static_cast<void>(reader.read_string());  // frame id
-  return std::chrono::seconds(seconds) + std::chrono::nanoseconds(nanoseconds);
+  return {.stamp = std::chrono::seconds(seconds) + std::chrono::nanoseconds(nanoseconds),
+          .frame = reader.read_string()};
 }
 
-Expected<ImuSample> decode_imu(std::span<const std::byte> message, RosWire wire) {
+Expected<DecodedImu> decode_imu(std::span<const std::byte> message, RosWire wire) {
   constexpr std::size_t kOrientationAndCovariance = 4 + 9;
-  constexpr std::size_t kCovariance = 9;
+  constexpr std::size_t kRestOfCovariance = 8;
   RosReader reader(message, wire);
-  ImuSample sample = {.time = read_ros_header(reader)};
+  DecodedImu imu;
+  ImuSample& sample = imu.sample;
+  sample.time = read_ros_header(reader).stamp;
   reader.skip<double>(kOrientationAndCovariance);
-  sample.angular_velocity_radps = read_vector(reader);
-  reader.skip<double>(kCovariance);
-  sample.specific_force_mps2 = read_vector(reader);
+  const auto read_part = [&reader](Eigen::Vector3d& value) {
+    value = read_vector(reader);
+    const auto variance = reader.read<double>();
+    reader.skip<double>(kRestOfCovariance);
+    // Values beside a covariance of -1 are values all the same: some drivers mean "unknown sigma".
+    return !value.hasNaN() && !(variance == -1.0 && value.isZero(0.0));
+  };
+  imu.has_rate = read_part(sample.angular_velocity_radps);
+  imu.has_force = read_part(sample.specific_force_mps2);
+  // An accelerometer feels gravity or its own noise; three zeros are a field that was not filled.
+  imu.has_force = imu.has_force && !sample.specific_force_mps2.isZero(0.0);
   if (reader.failed()) return too_short("sensor_msgs/Imu", message.size());
-  if (!sample.angular_velocity_radps.allFinite() || !sample.specific_force_mps2.allFinite()) {
+  if ((imu.has_rate && !sample.angular_velocity_radps.allFinite()) ||
+      (imu.has_force && !sample.specific_force_mps2.allFinite())) {
     return fail(ErrorCode::kParse, "an IMU sample is not finite; check the driver");
   }
-  return sample;
+  return imu;
 }
 
 Expected<std::optional<GnssFix>> decode_nav_sat_fix(std::span<const std::byte> message,
                                                     RosWire wire) {
   RosReader reader(message, wire);
-  GnssFix fix = {.time = read_ros_header(reader)};
+  GnssFix fix = {.time = read_ros_header(reader).stamp};
   const auto status = reader.read<std::int8_t>();
   reader.skip<std::uint16_t>();  // service
   fix.position.latitude_deg = reader.read<double>();

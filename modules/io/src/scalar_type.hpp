@@ -1,25 +1,12 @@
 #pragma once
 
+#include <hybridfusion/io/point_scalar.hpp>
+
 #include <bit>
 #include <cstddef>
-#include <cstdint>
 #include <string_view>
 
 namespace hybridfusion {
-
-/// Number types of point fields, in the order of sensor_msgs/PointField (which counts from 1).
-enum class ScalarType : std::uint8_t {
-  kInt8,
-  kUint8,
-  kInt16,
-  kUint16,
-  kInt32,
-  kUint32,
-  kFloat32,
-  kFloat64,
-  kInt64,  ///< Not in PointField.
-  kUint64
-};
 
 [[nodiscard]] std::size_t size_of(ScalarType type);
 [[nodiscard]] bool is_integer(ScalarType type);

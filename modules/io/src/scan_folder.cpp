@@ -1,6 +1,8 @@
 #include "scan_folder.hpp"
 
+#include "imu_watch.hpp"
 #include "scan_folder_files.hpp"
+#include "stamp_gate.hpp"
 
 #include <algorithm>
 
@@ -20,36 +22,71 @@ constexpr std::string_view kGnssColumns =
 class ScanFolderSource final : public ScanSource {
  public:
   ScanFolderSource(std::vector<ScanFile> files,
-                   CsvRows imu,
+                   std::optional<CsvRows> imu,
                    std::optional<CsvRows> gnss,
                    RecordingSummary summary,
-                   const RecordingOptions& options)
-      : files_(std::move(files)),
-        imu_(std::move(imu)),
-        gnss_(std::move(gnss)),
-        summary_(std::move(summary)),
-        times_({.field = options.point_time_field, .unit = options.point_time_unit}) {}
+                   const RecordingOptions& options);
 
   Expected<std::optional<SensorMessage>> next() override;
   RecordingSummary summary() const override;
 
  private:
-  using RowOrEnd = std::optional<CsvRows::Row>;
-  /// Skips and counts damaged rows.
-  [[nodiscard]] Expected<RowOrEnd> next_row(CsvRows& rows);
+  /// Rows of a table behind the gate of their sensor, the first of those that may pass in sight.
+  struct Table {
+    CsvRows rows;
+    StampGate gate;
+    std::optional<SensorMessage> first = {};
+    bool ended = false;
+  };
+  using Convert = SensorMessage (*)(const CsvRows::Row&);
+
+  [[nodiscard]] Expected<void> look_at(Table& table, Convert convert);
   [[nodiscard]] Expected<std::optional<SensorMessage>> next_scan();
   void note_damage(const Error& error);
 
   std::vector<ScanFile> files_;
-  CsvRows imu_;
-  std::optional<CsvRows> gnss_;
+  std::vector<ClockStep> clock_steps_ = {};
+  std::optional<Table> imu_;
+  std::optional<Table> gnss_;
   std::size_t next_file_ = 0;
-  bool started_ = false;
-  RowOrEnd imu_row_ = {};
-  RowOrEnd gnss_row_ = {};
   RecordingSummary summary_;
   PointTimeReader times_;
+  ImuWatch imu_watch_ = {};
 };
+
+constexpr std::chrono::milliseconds kConfirm{1000};
+
+[[nodiscard]] SensorMessage fix_of(const CsvRows::Row& row) {
+  GnssFix fix = {.time = row.time,
+                 .position = {.latitude_deg = row.values[0],
+                              .longitude_deg = row.values[1],
+                              .altitude_m = row.values[2]}};
+  if (row.count >= 6) fix.sigma_enu_m = {row.values[3], row.values[4], row.values[5]};
+  return fix;
+}
+
+[[nodiscard]] SensorMessage sample_of(const CsvRows::Row& row) {
+  return ImuSample{.time = row.time,
+                   .angular_velocity_radps = {row.values[0], row.values[1], row.values[2]},
+                   .specific_force_mps2 = {row.values[3], row.values[4], row.values[5]}};
+}
+
+ScanFolderSource::ScanFolderSource(std::vector<ScanFile> files,
+                                   std::optional<CsvRows> imu,
+                                   std::optional<CsvRows> gnss,
+                                   RecordingSummary summary,
+                                   const RecordingOptions& options)
+    : files_(std::move(files)),
+      summary_(std::move(summary)),
+      times_({.field = options.point_time_field, .unit = options.point_time_unit}) {
+  if (imu) {
+    imu_.emplace(Table{.rows = *std::move(imu), .gate = StampGate("IMU", kConfirm, clock_steps_)});
+  }
+  if (gnss) {
+    gnss_.emplace(
+        Table{.rows = *std::move(gnss), .gate = StampGate("GNSS", kConfirm, clock_steps_)});
+  }
+}
 
 void ScanFolderSource::note_damage(const Error& error) {
   if (summary_.num_damaged_messages++ == 0) {
@@ -57,12 +94,23 @@ void ScanFolderSource::note_damage(const Error& error) {
   }
 }
 
-Expected<ScanFolderSource::RowOrEnd> ScanFolderSource::next_row(CsvRows& rows) {
-  for (;;) {
-    auto row = rows.next();
-    if (row || row.error().code != ErrorCode::kParse) return row;
-    note_damage(row.error());
+/// Skips and counts damaged rows.
+Expected<void> ScanFolderSource::look_at(Table& table, Convert convert) {
+  while (!table.first) {
+    table.first = table.gate.take();
+    if (table.first || table.ended) return {};
+    auto row = table.rows.next();
+    if (!row) {
+      if (row.error().code != ErrorCode::kParse) return std::unexpected(row.error());
+      note_damage(row.error());
+    } else if (*row) {
+      table.gate.add(convert(**row), (*row)->time);
+    } else {
+      table.gate.finish();
+      table.ended = true;
+    }
   }
+  return {};
 }
 
 Expected<std::optional<SensorMessage>> ScanFolderSource::next_scan() {
@@ -80,16 +128,16 @@ Expected<std::optional<SensorMessage>> ScanFolderSource::next_scan() {
 }
 
 Expected<std::optional<SensorMessage>> ScanFolderSource::next() {
-  if (!std::exchange(started_, true)) {
-    HF_TRY(imu_row_, next_row(imu_));
-    if (gnss_) {
-      HF_TRY(gnss_row_, next_row(*gnss_));
-    }
-  }
   for (;;) {
+    if (imu_) {
+      if (auto looked = look_at(*imu_, &sample_of); !looked) return std::unexpected(looked.error());
+    }
+    if (gnss_) {
+      if (auto looked = look_at(*gnss_, &fix_of); !looked) return std::unexpected(looked.error());
+    }
     constexpr Timestamp kNever = Timestamp::max();
-    const Timestamp imu_time = imu_row_ ? imu_row_->time : kNever;
-    const Timestamp gnss_time = gnss_row_ ? gnss_row_->time : kNever;
+    const Timestamp imu_time = imu_ && imu_->first ? stamp_of(*imu_->first) : kNever;
+    const Timestamp gnss_time = gnss_ && gnss_->first ? stamp_of(*gnss_->first) : kNever;
     const bool scans_left = next_file_ < files_.size();
     const Timestamp scan_time = scans_left ? files_[next_file_].stamp : kNever;
     if (scans_left && scan_time <= std::min(imu_time, gnss_time)) {
@@ -97,47 +145,44 @@ Expected<std::optional<SensorMessage>> ScanFolderSource::next() {
       if (scan) return scan;
       continue;
     }
-    if (gnss_row_ && gnss_time <= imu_time) {
-      const CsvRows::Row row = *gnss_row_;
-      HF_TRY(gnss_row_, next_row(*gnss_));
+    if (gnss_ && gnss_->first && gnss_time <= imu_time) {
       ++summary_.num_gnss_fixes;
-      GnssFix fix = {.time = row.time,
-                     .position = {.latitude_deg = row.values[0],
-                                  .longitude_deg = row.values[1],
-                                  .altitude_m = row.values[2]}};
-      if (row.count >= 6) fix.sigma_enu_m = {row.values[3], row.values[4], row.values[5]};
-      return fix;
+      return std::exchange(gnss_->first, std::nullopt);
     }
-    if (!imu_row_) return std::nullopt;
-    const CsvRows::Row row = *imu_row_;
-    HF_TRY(imu_row_, next_row(imu_));
+    if (!imu_ || !imu_->first) return std::nullopt;
     ++summary_.num_imu_samples;
-    return ImuSample{.time = row.time,
-                     .angular_velocity_radps = {row.values[0], row.values[1], row.values[2]},
-                     .specific_force_mps2 = {row.values[3], row.values[4], row.values[5]}};
+    static_cast<void>(imu_watch_.complete({.sample = std::get<ImuSample>(*imu_->first)}));
+    return std::exchange(imu_->first, std::nullopt);
   }
 }
 
 RecordingSummary ScanFolderSource::summary() const {
   RecordingSummary summary = summary_;
   summary.point_time = times_.description();
+  summary.point_times_made_up = times_.made_up();
+  summary.imu_dialect = imu_watch_.dialect();
+  if (imu_) summary.imu_stamps = imu_->gate.faults();
+  if (gnss_) summary.gnss_stamps = gnss_->gate.faults();
+  add_stamp_warnings(summary);
   return summary;
 }
 
-[[nodiscard]] RecordingSummary summarize(const std::vector<ScanFile>& files, bool has_gnss) {
+[[nodiscard]] RecordingSummary summarize(const std::vector<ScanFile>& files,
+                                         bool has_imu,
+                                         bool has_gnss) {
   RecordingSummary summary = {.format = "folder of PCD scans"};
   if (has_gnss) summary.topics.push_back({std::string(kGnssFile), "CSV"});
-  summary.topics.push_back({std::string(kImuFile), "CSV"});
+  if (has_imu) summary.topics.push_back({std::string(kImuFile), "CSV"});
   summary.topics.push_back({"scans", "PCD", files.size()});
   summary.lidar_topic = "scans";
-  summary.imu_topic = kImuFile;
+  if (has_imu) summary.imu_topic = kImuFile;
   if (has_gnss) summary.gnss_topic = kGnssFile;
   return summary;
 }
 
-[[nodiscard]] bool has_gnss(const std::filesystem::path& folder) {
+[[nodiscard]] bool has(const std::filesystem::path& folder, std::string_view file) {
   std::error_code code;
-  return std::filesystem::exists(folder / kGnssFile, code);
+  return std::filesystem::exists(folder / file, code);
 }
 
 }  // namespace
@@ -147,13 +192,17 @@ Expected<std::unique_ptr<ScanSource>> open_scan_folder(const std::filesystem::pa
   HF_TRY(std::vector<ScanFile> files, list_scan_files(folder));
   constexpr std::size_t kImuValues = 6;
   constexpr std::size_t kGnssValues = 3;
-  HF_TRY(CsvRows imu, CsvRows::open(folder / kImuFile, kImuValues, kImuColumns));
-  const bool use_gnss = options.gnss_topic != "none" && has_gnss(folder);
+  const bool use_imu = options.imu_topic != "none" && has(folder, kImuFile);
+  const bool use_gnss = options.gnss_topic != "none" && has(folder, kGnssFile);
+  std::optional<CsvRows> imu;
+  if (use_imu) {
+    HF_TRY(imu, CsvRows::open(folder / kImuFile, kImuValues, kImuColumns));
+  }
   std::optional<CsvRows> gnss;
   if (use_gnss) {
     HF_TRY(gnss, CsvRows::open(folder / kGnssFile, kGnssValues, kGnssColumns));
   }
-  RecordingSummary summary = summarize(files, use_gnss);
+  RecordingSummary summary = summarize(files, use_imu, use_gnss);
   return std::make_unique<ScanFolderSource>(
       std::move(files), std::move(imu), std::move(gnss), std::move(summary), options);
 }
@@ -161,10 +210,9 @@ Expected<std::unique_ptr<ScanSource>> open_scan_folder(const std::filesystem::pa
 Expected<std::vector<std::filesystem::path>> scan_folder_files(
     const std::filesystem::path& folder) {
   HF_TRY(const std::vector<ScanFile> scans, list_scan_files(folder));
-  std::vector<std::filesystem::path> files = {folder / kImuFile};
-  for (const std::string_view optional : {kGnssFile, kTimesFile}) {
-    std::error_code code;
-    if (std::filesystem::exists(folder / optional, code)) files.push_back(folder / optional);
+  std::vector<std::filesystem::path> files;
+  for (const std::string_view optional : {kImuFile, kGnssFile, kTimesFile}) {
+    if (has(folder, optional)) files.push_back(folder / optional);
   }
   for (const ScanFile& scan : scans) files.push_back(scan.path);
   return files;
@@ -172,7 +220,7 @@ Expected<std::vector<std::filesystem::path>> scan_folder_files(
 
 Expected<RecordingSummary> inspect_scan_folder(const std::filesystem::path& folder) {
   HF_TRY(const std::vector<ScanFile> files, list_scan_files(folder));
-  return summarize(files, has_gnss(folder));
+  return summarize(files, has(folder, kImuFile), has(folder, kGnssFile));
 }
 
 }  // namespace hybridfusion

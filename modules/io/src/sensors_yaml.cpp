@@ -87,6 +87,8 @@ using Reader = std::function<std::string(const YAML::Node&, SensorConfig&)>;
       {"lidar_topic", text(&T::lidar_topic)},
       {"imu_topic", text(&T::imu_topic)},
       {"gnss_topic", text(&T::gnss_topic)},
+      {"lidar_frame", text(&T::lidar_frame)},
+      {"imu_frame", text(&T::imu_frame)},
       {"point_time_field", text(&T::point_time_field)},
       {"point_time_unit", read_unit},
       {"imu_from_lidar", read_imu_from_lidar},
@@ -179,6 +181,8 @@ std::string to_yaml(const SensorConfig& config) {
   put("lidar_topic", config.lidar_topic);
   put("imu_topic", config.imu_topic);
   put("gnss_topic", config.gnss_topic);
+  put("lidar_frame", config.lidar_frame);
+  put("imu_frame", config.imu_frame);
   put("point_time_field", config.point_time_field);
   put("point_time_unit", config.point_time_unit);
   if (config.imu_from_lidar) {

@@ -1,6 +1,7 @@
 #include "sqlite_bag.hpp"
 
 #include "input_file.hpp"
+#include "recorded_clock.hpp"
 #include "text.hpp"
 
 #include <algorithm>
@@ -89,6 +90,9 @@ struct SqliteBag::State {
   std::optional<std::vector<std::string>> topics = {};
   bool truncated = false;
   std::vector<std::string> warnings = {};
+  /// Times of recording do not give the order: one topic's messages are written as they come.
+  bool clock_goes_back = false;
+  RecordedClock clock = {};
   std::filesystem::path helper = {};  ///< SQLite's, if it was not there before.
 
   [[nodiscard]] std::unexpected<Error> malformed() const {
@@ -141,17 +145,26 @@ Expected<void> SqliteBag::State::read_topics() {
 }
 
 void SqliteBag::State::count_messages() {
-  // Without an index on the topic this reads every row's head; a damaged database gives no counts.
-  const Statement counts =
-      prepare(database.get(), "SELECT topic_id, count(*) FROM messages GROUP BY topic_id");
-  std::map<std::int64_t, std::uint64_t> by_topic;
+  // Reads every row's head; a damaged database gives no counts.
+  const Statement rows =
+      prepare(database.get(), "SELECT topic_id, timestamp FROM messages ORDER BY id");
+  struct Topic {
+    std::uint64_t messages = 0;
+    std::int64_t last = 0;
+  };
+  std::map<std::int64_t, Topic> by_topic;
   int status = SQLITE_ERROR;
-  while (counts && (status = sqlite3_step(counts.get())) == SQLITE_ROW) {
-    by_topic[sqlite3_column_int64(counts.get(), 0)] =
-        static_cast<std::uint64_t>(sqlite3_column_int64(counts.get(), 1));
+  while (rows && (status = sqlite3_step(rows.get())) == SQLITE_ROW) {
+    Topic& topic = by_topic[sqlite3_column_int64(rows.get(), 0)];
+    const std::int64_t time = sqlite3_column_int64(rows.get(), 1);
+    clock_goes_back = clock_goes_back || (topic.messages > 0 && time < topic.last);
+    topic.last = time;
+    ++topic.messages;
   }
   if (status != SQLITE_DONE) return;
-  for (BagConnection& connection : connections) connection.messages = by_topic[connection.id];
+  for (BagConnection& connection : connections) {
+    connection.messages = by_topic[connection.id].messages;
+  }
 }
 
 Expected<void> SqliteBag::State::start_query() {
@@ -162,7 +175,8 @@ Expected<void> SqliteBag::State::start_query() {
   }
   // Recorders make an index on the time. Without one, sorting would copy the whole recording; rows
   // are then taken in the order in which they were written.
-  const char* const order = has("index", "tbl_name", "messages") ? "timestamp, id" : "id";
+  const bool by_time = has("index", "tbl_name", "messages") && !clock_goes_back;
+  const char* const order = by_time ? "timestamp, id" : "id";
   query = prepare(database.get(),
                   fmt::format("SELECT topic_id, timestamp, data FROM messages WHERE topic_id IN "
                               "({}) ORDER BY {}",
@@ -219,9 +233,10 @@ Expected<std::optional<BagMessage>> SqliteBag::next() {
   const auto* const blob = static_cast<const std::byte*>(sqlite3_column_blob(state.query.get(), 2));
   const auto size = static_cast<std::size_t>(sqlite3_column_bytes(state.query.get(), 2));
   auto storage = std::make_shared<const std::vector<std::byte>>(blob, blob + size);
+  const auto topic = static_cast<std::uint32_t>(sqlite3_column_int64(state.query.get(), 0));
   return BagMessage{
-      .connection = static_cast<std::uint32_t>(sqlite3_column_int64(state.query.get(), 0)),
-      .time = Timestamp(sqlite3_column_int64(state.query.get(), 1)),
+      .connection = topic,
+      .time = state.clock.place(topic, Timestamp(sqlite3_column_int64(state.query.get(), 1))),
       .data = *storage,
       .storage = storage};
 }

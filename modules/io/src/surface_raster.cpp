@@ -111,8 +111,12 @@ void SurfaceRasterBuilder::add(const PointCloud& cloud, const Eigen::Vector3d& o
   }
 }
 
-SurfaceRaster SurfaceRasterBuilder::finish(std::string wkt) && {
-  raster_.wkt = std::move(wkt);
+SurfaceRaster SurfaceRasterBuilder::finish(const CrsDescription& crs) && {
+  raster_.wkt = crs.wkt;
+  if (!crs.wkt.empty()) {
+    raster_.metres_per_unit = crs.metres_per_unit;
+    raster_.vertical_metres_per_unit = crs.vertical_metres_per_unit;
+  }
   for (int i = 0; i < options_.fill_cells; ++i) fill_once(raster_);
   return std::move(raster_);
 }
@@ -123,7 +127,7 @@ Expected<SurfaceRaster> make_surface_raster(const PlacedCloud& placed,
   extent.add(placed.cloud, placed.offset_m);
   HF_TRY(SurfaceRasterBuilder builder, SurfaceRasterBuilder::create(extent, options));
   builder.add(placed.cloud, placed.offset_m);
-  return std::move(builder).finish(placed.crs.wkt);
+  return std::move(builder).finish(placed.crs);
 }
 
 }  // namespace hybridfusion

@@ -9,9 +9,10 @@
 
 namespace hybridfusion {
 
-/// Reads a text cloud: x y z, x y z intensity, x y z r g b or x y z intensity r g b per line,
-/// separated by white space, commas or semicolons. Comments (# or //), a heading line of names and
-/// a first line with only the number of points (.pts) are accepted.
+/// Reads a text cloud: a point on each line, its fields separated by white space, commas,
+/// semicolons or tabs. A heading names the columns; without one they must tell by what they hold
+/// that they are x y z, perhaps with intensity, red green blue or nx ny nz. Comments (# or //) and
+/// lines with only the number of points that follow (.pts) are accepted.
 [[nodiscard]] Expected<PointCloud> read_xyz(const std::filesystem::path& path);
 
 /// Writes "x y z", with intensity and colour when the cloud has them, so that read_xyz understands.
@@ -24,18 +25,21 @@ namespace hybridfusion {
 class XyzPieceWriter {
  public:
   /// @returns kIo.
-  [[nodiscard]] static Expected<XyzPieceWriter> create(const std::filesystem::path& path,
-                                                       const Eigen::Vector3d& offset_m);
+  [[nodiscard]] static Expected<XyzPieceWriter> create(
+      const std::filesystem::path& path,
+      const Eigen::Vector3d& offset_m,
+      const Eigen::Vector3d& units_m = Eigen::Vector3d::Ones());
   /// @pre validate(piece); every piece has the channels of the first.
   void add(const PointCloud& piece);
   [[nodiscard]] Expected<void> commit();
 
  private:
-  XyzPieceWriter(AtomicFile file, const Eigen::Vector3d& offset_m)
-      : file_(std::move(file)), offset_m_(offset_m) {}
+  XyzPieceWriter(AtomicFile file, const Eigen::Vector3d& offset_m, const Eigen::Vector3d& units_m)
+      : file_(std::move(file)), offset_m_(offset_m), units_m_(units_m) {}
 
   AtomicFile file_;
   Eigen::Vector3d offset_m_;
+  Eigen::Vector3d units_m_;
 };
 
 }  // namespace hybridfusion

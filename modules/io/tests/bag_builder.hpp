@@ -162,14 +162,18 @@ class BagBuilder {
   std::string infos_ = {};
 };
 
-[[nodiscard]] inline std::string ros_header(std::int64_t stamp_ns) {
+[[nodiscard]] inline std::string ros_header(std::int64_t stamp_ns,
+                                            std::string_view frame = "frame") {
   std::string out = as_bytes(std::uint32_t{0}) + bag_time(stamp_ns);
-  put_string(out, "frame");
+  put_string(out, frame);
   return out;
 }
 
-[[nodiscard]] inline std::string imu_message(std::int64_t stamp_ns, double gyro_x, double accel_z) {
-  std::string out = ros_header(stamp_ns);
+[[nodiscard]] inline std::string imu_message(std::int64_t stamp_ns,
+                                             double gyro_x,
+                                             double accel_z,
+                                             std::string_view frame = "frame") {
+  std::string out = ros_header(stamp_ns, frame);
   for (int i = 0; i < 4 + 9; ++i) put(out, 0.0);
   for (const double value : {gyro_x, 0.0, 0.0}) put(out, value);
   for (int i = 0; i < 9; ++i) put(out, 0.0);
@@ -193,17 +197,18 @@ class BagBuilder {
 
 struct TestField {
   std::string name;
-  std::uint8_t
-      datatype;  ///< sensor_msgs/PointField: 2 uint8, 4 uint16, 6 uint32, 7 float, 8 double
+  std::uint8_t datatype;  ///< sensor_msgs/PointField: 2 uint8, 4 uint16, 6 uint32, 7 float, 8
+                          ///< double; PCL: 9 int64, 10 uint64, 11 bool
 };
 
 /// PointCloud2 of packed fields; values[point][field].
 [[nodiscard]] inline std::string cloud_message(std::int64_t stamp_ns,
                                                const std::vector<TestField>& fields,
                                                const std::vector<std::vector<double>>& values,
-                                               bool big_endian = false) {
-  constexpr std::uint32_t kSizes[] = {0, 1, 1, 2, 2, 4, 4, 4, 8};
-  std::string out = ros_header(stamp_ns);
+                                               bool big_endian = false,
+                                               std::string_view frame = "frame") {
+  constexpr std::uint32_t kSizes[] = {0, 1, 1, 2, 2, 4, 4, 4, 8, 8, 8, 1};
+  std::string out = ros_header(stamp_ns, frame);
   put(out, std::uint32_t{1});
   put(out, static_cast<std::uint32_t>(values.size()));
   put(out, static_cast<std::uint32_t>(fields.size()));
@@ -221,6 +226,7 @@ struct TestField {
       std::string bytes;
       switch (fields[f].datatype) {
         case 2:
+        case 11:
           put(bytes, static_cast<std::uint8_t>(point[f]));
           break;
         case 4:
@@ -231,6 +237,12 @@ struct TestField {
           break;
         case 7:
           put(bytes, static_cast<float>(point[f]));
+          break;
+        case 9:
+          put(bytes, static_cast<std::int64_t>(point[f]));
+          break;
+        case 10:
+          put(bytes, static_cast<std::uint64_t>(point[f]));
           break;
         default:
           put(bytes, point[f]);
@@ -259,11 +271,12 @@ struct LivoxPoint {
 };
 
 [[nodiscard]] inline std::string livox_message(std::int64_t stamp_ns,
-                                               const std::vector<LivoxPoint>& points) {
+                                               const std::vector<LivoxPoint>& points,
+                                               std::uint8_t lidar_id = 0) {
   std::string out = ros_header(stamp_ns);
   put(out, static_cast<std::uint64_t>(stamp_ns));
   put(out, static_cast<std::uint32_t>(points.size()));
-  out += std::string(4, '\0');
+  out += static_cast<char>(lidar_id) + std::string(3, '\0');
   put(out, static_cast<std::uint32_t>(points.size()));
   for (const LivoxPoint& point : points) {
     put(out, point.offset_ns);

@@ -56,9 +56,9 @@ TEST(Cdr, ReadsWhatAnIndependentWriterSerialised) {
   EXPECT_EQ((*fix)->sigma_enu_m, Eigen::Vector3d(2, 2, 3));
   const auto imu = decode_imu(bytes_of(kImu), RosWire::kCdr);
   ASSERT_TRUE(imu);
-  EXPECT_EQ(imu->time, kStamp);
-  EXPECT_EQ(imu->angular_velocity_radps, Eigen::Vector3d(0.1, 0.2, 0.3));
-  EXPECT_EQ(imu->specific_force_mps2, Eigen::Vector3d(1, 2, 9.81));
+  EXPECT_EQ(imu->sample.time, kStamp);
+  EXPECT_EQ(imu->sample.angular_velocity_radps, Eigen::Vector3d(0.1, 0.2, 0.3));
+  EXPECT_EQ(imu->sample.specific_force_mps2, Eigen::Vector3d(1, 2, 9.81));
   ScanDecoder decoder;
   const auto cloud = decoder.decode_point_cloud2(bytes_of(kCloud), RosWire::kCdr);
   ASSERT_TRUE(cloud);

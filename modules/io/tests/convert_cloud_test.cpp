@@ -114,14 +114,14 @@ TEST(ConvertCloud, ScalesThatOnlyTheWholeFileTellsHoldInEveryBatch) {
   // The colours exceed 1, and the intensities 1, only behind the first batch.
   std::string text;
   for (std::size_t i = 0; i < kManyPoints; ++i) {
-    text += i + 1 == kManyPoints ? "500000.25 5400000.5 3 200 255 128 0\n"
-                                 : "500000.25 5400000.5 3 1 1 0 0\n";
+    text += i + 1 == kManyPoints ? "500000.25 5400000.5 3 200.0 255 128 0\n"
+                                 : "500000.25 5400000.5 3 1.0 1 1 0\n";
   }
   const auto in = folder.file("in.xyz", text);
   ASSERT_TRUE(convert_cloud({.in = in, .out = folder.path() / "a.las"}));
   const auto las = read_las(folder.path() / "a.las");
   ASSERT_TRUE(las);
-  EXPECT_EQ(las->cloud.colors.front(), (Rgb8{1, 0, 0}));
+  EXPECT_EQ(las->cloud.colors.front(), (Rgb8{1, 1, 0}));
   EXPECT_EQ(las->cloud.colors.back(), (Rgb8{255, 128, 0}));
   EXPECT_EQ(las->cloud.intensities.front(), 1.0F);
   EXPECT_EQ(las->cloud.intensities.back(), 200.0F);

@@ -60,6 +60,56 @@ TEST(PhotoFolder, ErrorsNameFolderCauseAndNextStep) {
   EXPECT_THAT(unusable.error().message, HasSubstr("a.jpg"));
 }
 
+TEST(PhotoFolder, CardFoldersAreReadAndNamesThatRepeatKeepTheirFolder) {
+  const TempFolder folder;
+  const std::string jpeg = sample_jpeg();
+  for (const char* name : {"100MEDIA", "101MEDIA", ".trash", "thumbs", "result"}) {
+    std::filesystem::create_directory(folder.path() / name);
+  }
+  for (const char* name : {"100MEDIA/DJI_0001.JPG",
+                           "100MEDIA/DJI_0002.jpg",
+                           "101MEDIA/DJI_0001.JPG",
+                           ".trash/DJI_0009.JPG",
+                           "thumbs/DJI_0001.JPG",
+                           "result/DJI_0001.JPG",
+                           "._DJI_0001.JPG"}) {
+    static_cast<void>(folder.file(name, jpeg));
+  }
+  static_cast<void>(folder.file("result/run.json", "{}"));
+  static_cast<void>(folder.file("100MEDIA/DJI_0001.DNG", "x"));
+  static_cast<void>(folder.file("101MEDIA/DJI_0003.png", "x"));
+  static_cast<void>(folder.file("scan.HEIC", "x"));
+  std::filesystem::create_directory_symlink(folder.path(), folder.path() / "101MEDIA/up");
+  const auto opened = open_photo_folder(folder.path());
+  ASSERT_TRUE(opened) << opened.error().message;
+  std::vector<std::string> names;
+  for (const Photo& photo : opened->photos) names.push_back(photo.metadata.name);
+  EXPECT_THAT(names,
+              ::testing::ElementsAre(
+                  "100MEDIA/DJI_0001.JPG", "100MEDIA/DJI_0002.jpg", "101MEDIA/DJI_0001.JPG"));
+  ASSERT_TRUE(opened->photos[2].load());
+  const PhotoFolderNotes notes = notes_of(opened->listing);
+  EXPECT_THAT(notes.left_out, ::testing::ElementsAre("101MEDIA/DJI_0003.png", "scan.HEIC"));
+  ASSERT_EQ(notes.facts.size(), 3U);
+  EXPECT_THAT(notes.facts[0], HasSubstr("3 of 3 photos lie in subfolders: 100MEDIA (2), 101MEDIA"));
+  EXPECT_THAT(notes.facts[1], AllOf(HasSubstr("result"), HasSubstr("thumbs")));
+  EXPECT_THAT(notes.facts[2], HasSubstr("1 image files"));
+}
+
+TEST(PhotoFolder, AFileInThePlaceOfTheFolderAndOtherFormatsAloneAreTold) {
+  const TempFolder folder;
+  const auto photo = folder.file("a.jpg", sample_jpeg());
+  const auto opened = open_photo_folder(photo);
+  ASSERT_FALSE(opened);
+  EXPECT_EQ(opened.error().code, ErrorCode::kNotFound);
+  EXPECT_THAT(opened.error().message,
+              AllOf(HasSubstr("is a file"), HasSubstr(folder.path().string())));
+  std::filesystem::remove(photo);
+  static_cast<void>(folder.file("a.tif", "x"));
+  EXPECT_THAT(open_photo_folder(folder.path()).error().message,
+              AllOf(HasSubstr("other formats"), HasSubstr("a.tif")));
+}
+
 TEST(PhotoFolder, RealFlightsOpenCompletely) {
   const auto data = testing::test_data("");
   if (!data) GTEST_SKIP() << "set HYBRIDFUSION_TEST_DATA to the folder of the test data";

@@ -30,7 +30,7 @@ TEST(PlyPieces, TogetherAreTheCloud) {
   auto writer = PlyPieceWriter::create(path);
   ASSERT_TRUE(writer);
   writer->add(part_of(cloud, 0, 1));
-  writer->add({});  // an empty tile
+  writer->add(PointCloud{});  // an empty tile
   writer->add(part_of(cloud, 1, 700));
   writer->add(part_of(cloud, 700, 1234));
   EXPECT_FALSE(std::filesystem::exists(path));

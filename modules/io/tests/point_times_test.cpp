@@ -1,4 +1,5 @@
 #include "cloud_messages.hpp"
+#include "test_recording.hpp"
 
 #include <hybridfusion/io/point_cloud2.hpp>
 
@@ -43,6 +44,11 @@ INSTANTIATE_TEST_SUITE_P(
                       TimeCase{"offset_time", kU32, 0.0, 1e9, "uint32, ns, relative", 0.0},
                       // Doubles of this size are 238 ns and 256 ns apart.
                       TimeCase{"timestamp", kF64, kStamp_s, 1.0, "float64, s, absolute", 240.0},
+                      TimeCase{"timestamp", 10, kStamp_s * 1e9, 1e9, "uint64, ns, absolute", 256.0},
+                      TimeCase{"timestamp", 9, kStamp_s * 1e9, 1e9, "int64, ns, absolute", 256.0},
+                      TimeCase{"timestamp", 10, kStamp_s * 1e6, 1e6, "uint64, us, absolute", 600.0},
+                      TimeCase{"t", 10, 0.0, 1e9, "uint64, ns, relative", 0.0},
+                      TimeCase{"t", 9, -1e8, 1e9, "int64, ns, relative", 1.0},
                       TimeCase{
                           "timestamp", kF64, kStamp_s * 1e9, 1e9, "float64, ns, absolute", 256.0}));
 
@@ -57,11 +63,118 @@ TEST_P(PointTimes, AreFoundByNameTypeAndSpan) {
     EXPECT_EQ(scan->stamp.count(), kStamp_ns);
     for (int i = 0; i < 100; ++i) {
       EXPECT_EQ(scan->points[i].point_in_lidar.x(), 1.0F + static_cast<float>(i));
-      EXPECT_NEAR(scan->points[i].offset_ns, i * 1e6, param.tolerance_ns);
+      const double first_ns = param.first < 0.0 ? param.first : 0.0;
+      EXPECT_NEAR(scan->points[i].offset_ns, first_ns + i * 1e6, param.tolerance_ns);
     }
     EXPECT_THAT(decoder.point_time(), AllOf(HasSubstr(param.field), HasSubstr(param.unit)));
     EXPECT_THAT(decoder.take_warnings(), IsEmpty());
   }
+}
+
+TEST(PointTime, OfATypeThatIsNotReadIsNamed) {
+  ScanDecoder decoder;
+  ASSERT_TRUE(decoder.decode_point_cloud2(bytes_of(timed_scan("timestamp", 11, 0.0, 1.0))));
+  EXPECT_THAT(
+      decoder.take_warnings(),
+      ::testing::ElementsAre(
+          AllOf(HasSubstr("timestamp (datatype 11"), HasSubstr("not read"), HasSubstr("made up"))));
+  EXPECT_TRUE(decoder.made_up());
+  ScanDecoder unknown;
+  ASSERT_TRUE(unknown.decode_point_cloud2(bytes_of(timed_scan("zeit", kF64, 0.0, 1.0))));
+  EXPECT_THAT(unknown.take_warnings(),
+              ::testing::ElementsAre(AllOf(HasSubstr("zeit"), HasSubstr("made up"))));
+  ScanDecoder timed;
+  ASSERT_TRUE(timed.decode_point_cloud2(bytes_of(timed_scan("time", kF32, 0.0, 1.0))));
+  EXPECT_FALSE(timed.made_up());
+}
+
+TEST(PointTime, OfSecondsAndNanosecondsApartIsJoined) {
+  std::vector<std::vector<double>> points;
+  const double whole_s = std::floor(kStamp_s);
+  for (int i = 0; i < 100; ++i) points.push_back({1.0 + i, 2.0, 3.0, whole_s, 5e7 + i * 1e6});
+  ScanDecoder decoder;
+  const auto scan = decoder.decode_point_cloud2(bytes_of(
+      cloud_message(kStamp_ns,
+                    {{"x", kF32}, {"y", kF32}, {"z", kF32}, {"time_sec", 10}, {"time_nsec", kU32}},
+                    points)));
+  ASSERT_TRUE(scan);
+  EXPECT_NEAR(scan->points[99].offset_ns, 99'000'000, 256);
+  EXPECT_THAT(decoder.take_warnings(), IsEmpty());
+}
+
+TEST(PointTime, ThatIsAbsoluteCorrectsADisplacedStamp) {
+  ScanDecoder decoder;
+  const auto at = [&](std::int64_t stamp_ns, double first_s) {
+    std::vector<std::vector<double>> points;
+    for (int i = 0; i < 100; ++i) points.push_back({1.0 + i, 2.0, 3.0, first_s + i * 0.001});
+    return decoder.decode_point_cloud2(bytes_of(cloud_message(
+        stamp_ns, {{"x", kF32}, {"y", kF32}, {"z", kF32}, {"timestamp", kF64}}, points)));
+  };
+  ASSERT_TRUE(at(kStamp_ns, kStamp_s));
+  for (const std::int64_t wrong_ns : {std::int64_t{0}, kStamp_ns - 3'000'000'000}) {
+    const auto scan = at(wrong_ns, kStamp_s + 0.1);
+    ASSERT_TRUE(scan);
+    ASSERT_EQ(scan->points.size(), 100U);
+    EXPECT_NEAR(static_cast<double>(scan->stamp.count() - kStamp_ns), 1e8, 300.0);
+    EXPECT_NEAR(scan->points[50].offset_ns, 50'000'000, 300);
+  }
+}
+
+TEST(ByteOrder, AFlagThatContradictsTheBytesIsNotObeyed) {
+  const std::string right = timed_scan("time", kF32, 0.0, 1.0);
+  for (const bool big_endian : {false, true}) {
+    std::string message = timed_scan("time", kF32, 0.0, 1.0, big_endian);
+    // The flag stands before point_step, row_step, length, 100 points of 16 bytes and is_dense.
+    message[message.size() - 1 - 1600 - 13] = static_cast<char>(!big_endian);
+    ScanDecoder decoder;
+    const auto scan = decoder.decode_point_cloud2(bytes_of(message));
+    ASSERT_TRUE(scan);
+    EXPECT_EQ(scan->points[7].point_in_lidar, Eigen::Vector3f(8.0F, 2.0F, 3.0F));
+    EXPECT_NEAR(scan->points[99].offset_ns, 99'000'000, 5);
+    EXPECT_THAT(decoder.take_warnings(), ::testing::ElementsAre(HasSubstr("is_bigendian")));
+  }
+}
+
+/// The message as point_cloud_transport compresses it: the data packed, is_dense, the format.
+[[nodiscard]] std::string compressed(const std::string& message,
+                                     std::size_t data_bytes,
+                                     const std::string& packed,
+                                     const std::string& format) {
+  std::string out = message.substr(0, message.size() - 1 - data_bytes - 4);
+  testing::put_string(out, packed);
+  out += '\1';
+  testing::put_string(out, format);
+  return out;
+}
+
+TEST(CompressedCloud, OfZstdGivesTheSamePointsAndOthersAreNamed) {
+  const std::string message = timed_scan("time", kF32, 0.0, 1.0);
+  const std::string data = message.substr(message.size() - 1 - 1600, 1600);
+  const std::string packed = compressed(message, 1600, testing::zstd_packed(data), "zstd");
+  ScanDecoder decoder;
+  const auto plain = decoder.decode_point_cloud2(bytes_of(message));
+  const auto scan = decoder.decode_compressed(bytes_of(packed), RosWire::kRos1);
+  ASSERT_TRUE(plain && scan);
+  ASSERT_EQ(scan->points.size(), plain->points.size());
+  for (std::size_t i = 0; i < scan->points.size(); ++i) {
+    EXPECT_EQ(scan->points[i].point_in_lidar, plain->points[i].point_in_lidar);
+    EXPECT_EQ(scan->points[i].offset_ns, plain->points[i].offset_ns);
+  }
+  const auto draco = decoder.decode_compressed(
+      bytes_of(compressed(message, 1600, "DRACO....", "draco")), RosWire::kRos1);
+  ASSERT_FALSE(draco);
+  EXPECT_THAT(draco.error().message, AllOf(HasSubstr("'draco'"), HasSubstr("republish")));
+  // Less data than announced, more than announced, cut.
+  for (const std::string& bad :
+       {testing::zstd_packed(data.substr(100)),
+        testing::zstd_packed(data).substr(0, 40),
+        testing::zstd_packed(std::string(1 << 20, 'x')) + std::string(3, 'y')}) {
+    static_cast<void>(decoder.decode_compressed(bytes_of(compressed(message, 1600, bad, "zstd")),
+                                                RosWire::kRos1));
+  }
+  EXPECT_FALSE(decoder.decode_compressed(
+      bytes_of(compressed(message, 1600, testing::zstd_packed(data.substr(100)), "zstd")),
+      RosWire::kRos1));
 }
 
 TEST(PointTime, OfTheEndOfTheScanIsNegative) {

@@ -51,6 +51,117 @@ TEST(RecordingContainers, McapGivesTheSameInEveryLayout) {
   EXPECT_EQ(summary->topics[2].type, "sensor_msgs/msg/PointCloud2");
 }
 
+TEST(RecordingContainers, McapMessagesThatTheIndexLeavesOutAreRead) {
+  const TempFolder folder;
+  const Content expected = reference(folder);
+  int number = 0;
+  const auto check = [&](const McapBuilder::Layout& layout) {
+    const auto path =
+        folder.file(fmt::format("{}.mcap", number++), McapBuilder::build(street(), layout));
+    expect_same(expected, path);
+    return read_all(path).summary.warnings;
+  };
+  for (const char* const compression : {"", "lz4", "zstd"}) {
+    // Clouds have some 900 bytes, fixes 160, IMU samples 340: some or all stand between the chunks.
+    for (const std::size_t outside_above : {500U, 250U, 1U}) {
+      EXPECT_THAT(check({.compression = compression, .outside_above = outside_above}),
+                  ::testing::IsEmpty());
+    }
+    check({.compression = compression, .outside_above = 500, .unindexed_chunks = 1});
+    EXPECT_THAT(check({.compression = compression, .unindexed_chunks = 2}), ::testing::IsEmpty());
+  }
+  EXPECT_THAT(check({.channel_counts = false}), ::testing::IsEmpty());
+  EXPECT_THAT(
+      check({.miscounted = 7}),
+      ::testing::ElementsAre(AllOf(HasSubstr("122 messages"), HasSubstr("115 were found"))));
+  check({.miscounted = -7});
+}
+
+TEST(RecordingContainers, PartsOfARos2BagAreReadInTheOrderOfTheirTimes) {
+  const TempFolder folder;
+  const Content expected = reference(folder);
+  const TestRecording recording = street();
+  const std::size_t all = recording.messages.size();
+  const auto bag = folder.path() / "bag";
+  std::filesystem::create_directory(bag);
+  for (std::size_t part = 0; part < 12; ++part) {
+    testing::write_db3(
+        bag / fmt::format("bag_{}.db3", part), recording, part * all / 12, (part + 1) * all / 12);
+  }
+  const auto listed = [&](std::vector<int> order) {
+    std::vector<std::string> files;
+    for (const int part : order) files.push_back(fmt::format("bag_{}.db3", part));
+    static_cast<void>(
+        folder.file("bag/metadata.yaml", testing::metadata_yaml(recording, files, "")));
+  };
+  listed({0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11});
+  expect_same(expected, bag);
+  listed({0, 1, 10, 11, 2, 3, 4, 5, 6, 7, 8, 9});  // as a program sorts names
+  expect_same(expected, bag);
+  listed({11, 3, 2, 5, 7, 1, 9, 10, 8, 6, 4, 0});
+  expect_same(expected, bag);
+  listed({});  // as a killed recorder leaves it
+  expect_same(expected, bag);
+  std::filesystem::remove(bag / "metadata.yaml");
+  expect_same(expected, bag);
+}
+
+TEST(RecordingContainers, MetadataOfEveryVersionIsRead) {
+  const TempFolder folder;
+  const Content expected = reference(folder);
+  const TestRecording recording = street();
+  std::filesystem::create_directory(folder.path() / "bag");
+  testing::write_db3(folder.path() / "bag/a_0.db3", recording, 0, recording.messages.size());
+  for (int version = 4; version <= 9; ++version) {
+    std::string text = fmt::format(
+        "rosbag2_bagfile_information:\n  version: {}\n  storage_identifier: sqlite3\n"
+        "  duration:\n    nanoseconds: 990000000\n  starting_time:\n"
+        "    nanoseconds_since_epoch: 1700000000000000000\n  message_count: 115\n"
+        "  compression_format: \"\"\n  compression_mode: \"\"\n"
+        "  relative_file_paths:\n    - a_0.db3\n  topics_with_message_count:\n",
+        version);
+    for (const testing::TestTopic& topic : recording.topics) {
+      text += fmt::format(
+          "    - topic_metadata:\n        name: {}\n        type: {}\n"
+          "        serialization_format: cdr\n",
+          topic.name,
+          topic.ros2_type());
+      text += version < 9 ? "        offered_qos_profiles: \"- history: 1\\n  depth: 10\"\n"
+                          : "        offered_qos_profiles:\n          - history: keep_last\n"
+                            "            depth: 10\n            deadline:\n              sec: 1\n";
+      if (version >= 7) text += "        type_description_hash: RIHS01_00ff\n";
+      text += "      message_count: 50\n";
+    }
+    if (version >= 5) {
+      text +=
+          "  files:\n    - path: a_0.db3\n      starting_time:\n"
+          "        nanoseconds_since_epoch: 1700000000000000000\n      message_count: 115\n";
+    }
+    if (version >= 6) text += "  custom_data: ~\n";
+    if (version >= 8) text += "  ros_distro: jazzy\n";
+    static_cast<void>(folder.file("bag/metadata.yaml", text));
+    expect_same(expected, folder.path() / "bag");
+  }
+}
+
+TEST(RecordingContainers, OfSeveralDrivesInOneFolderOneMustBeChosen) {
+  const TempFolder folder;
+  const TestRecording recording = street();
+  const auto refusal = [&] {
+    const auto source = open_recording(folder.path());
+    EXPECT_FALSE(source);
+    return source ? std::string() : source.error().message;
+  };
+  static_cast<void>(folder.file("monday.bag", testing::rosbag1_of(recording)));
+  EXPECT_THAT(refusal(), AllOf(HasSubstr("monday.bag"), HasSubstr("this one itself")));
+  std::filesystem::create_directory(folder.path() / "tuesday");
+  static_cast<void>(folder.file("tuesday/metadata.yaml", "x"));
+  EXPECT_THAT(refusal(), AllOf(HasSubstr("monday.bag, tuesday"), HasSubstr("one of these")));
+  static_cast<void>(folder.file("a_0.mcap", McapBuilder::build(recording, {})));
+  static_cast<void>(folder.file("b_0.mcap", McapBuilder::build(recording, {})));
+  EXPECT_THAT(refusal(), AllOf(HasSubstr("a_0.mcap, b_0.mcap"), HasSubstr("several recordings")));
+}
+
 TEST(RecordingContainers, Db3AndRos2FoldersGiveTheSame) {
   const TempFolder folder;
   const Content expected = reference(folder);
@@ -162,6 +273,16 @@ TEST(RecordingContainers, FolderOfPcdScansGivesTheSameWithTimesInNamesOrInAFile)
   static_cast<void>(folder.file("rec/times.txt", "# name time\n" + times));
   compare();
   EXPECT_EQ(read_all(folder.path() / "rec", {.gnss_topic = "none"}).fixes, "");
+
+  // A row of another hour holds nothing up.
+  std::string displaced = imu;
+  displaced.insert(displaced.find(fmt::format("{},", kStart_ns + 300'000'000LL)),
+                   fmt::format("{},9,0,0,0,0,9.81\n", kStart_ns + 3'600'000'000'000LL));
+  static_cast<void>(folder.file("rec/imu.csv", displaced));
+  const Content repaired = read_all(folder.path() / "rec");
+  EXPECT_EQ(repaired.imu, expected.imu);
+  EXPECT_EQ(repaired.summary.imu_stamps.dropped, 1U);
+  static_cast<void>(folder.file("rec/imu.csv", imu));
 
   static_cast<void>(folder.file("rec/times.txt", times.substr(0, times.size() / 2)));
   const auto untimed = open_recording(folder.path() / "rec");

@@ -103,6 +103,36 @@ TEST(DamagedRecordings, HostileFilesAreRefused) {
   EXPECT_THAT(unwritable.error().message, HasSubstr("recording.scratch_folder"));
 }
 
+TEST(DamagedRecordings, WhatIsNoRecordingIsNamedWithTheWayOut) {
+  const TempFolder folder;
+  const auto refusal = [&](const std::filesystem::path& path) {
+    const auto source = open_recording(path);
+    EXPECT_FALSE(source);
+    return source ? std::string() : source.error().message;
+  };
+  EXPECT_THAT(refusal(folder.file("a.bag",
+                                  "version https://git-lfs.github.com/spec/v1\noid "
+                                  "sha256:00\nsize 1234\n")),
+              ::testing::AllOf(HasSubstr("Git LFS"), HasSubstr("git lfs pull")));
+  for (const char* const magic : {"\xd4\xc3\xb2\xa1", "\x0a\x0d\x0d\x0a", "\xa1\xb2\xc3\xd4"}) {
+    EXPECT_THAT(refusal(folder.file("a.pcap", std::string(magic) + "....................")),
+                HasSubstr("pcap"));
+  }
+  for (const auto& [type, decoder] :
+       {std::pair("velodyne_msgs/VelodyneScan", "velodyne_pointcloud"),
+        std::pair("ouster_sensor_msgs/msg/PacketMsg", "ouster_ros"),
+        std::pair("rslidar_msg/msg/RslidarPacket", "rslidar_sdk")}) {
+    testing::BagBuilder bag;
+    const auto packets = bag.add_topic("/packets", type);
+    const auto imu = bag.add_topic("/imu", "sensor_msgs/Imu");
+    bag.add_message(packets, testing::kStart_ns, "x");
+    bag.add_message(imu, testing::kStart_ns, testing::imu_message(testing::kStart_ns, 0.0, 9.81));
+    EXPECT_THAT(
+        refusal(folder.file("p.bag", bag.finish())),
+        ::testing::AllOf(HasSubstr("/packets holds undecoded packets"), HasSubstr(decoder)));
+  }
+}
+
 TEST(DamagedRecordings, UnpackingStopsWhenAsked) {
   const TempFolder folder;
   std::stop_source stop;

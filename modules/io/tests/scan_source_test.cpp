@@ -100,21 +100,35 @@ TEST(OpenRecording, TruncatedBagGivesItsStartAndSaysSo) {
   EXPECT_TRUE(recording.summary.truncated);
 }
 
-TEST(OpenRecording, MissingImuNamesFileTopicsAndNextStep) {
+TEST(OpenRecording, MissingLidarNamesFileTopicsAndNextStep) {
+  BagBuilder bag;
+  const auto imu = bag.add_topic("/imu", "sensor_msgs/Imu");
+  static_cast<void>(bag.add_topic("/points", "sensor_msgs/PointCloud2"));  // announced, never sent
+  bag.add_message(imu, kStart_ns, "");
+  const TempFolder folder;
+  const auto source = open_recording(folder.file("nolidar.bag", bag.finish()));
+  ASSERT_FALSE(source);
+  EXPECT_EQ(source.error().code, ErrorCode::kNotFound);
+  EXPECT_THAT(source.error().message,
+              AllOf(HasSubstr("nolidar.bag"),
+                    HasSubstr("no LiDAR topic"),
+                    HasSubstr("/imu (sensor_msgs/Imu, 1 messages)"),
+                    HasSubstr("/points (sensor_msgs/PointCloud2, 0 messages)"),
+                    HasSubstr("record")));
+}
+
+TEST(OpenRecording, GivesTheScansOfARecordingWithoutAnImu) {
   BagBuilder bag;
   const auto lidar = bag.add_topic("/points", "sensor_msgs/PointCloud2");
   static_cast<void>(bag.add_topic("/imu", "sensor_msgs/Imu"));  // announced, never sent
   bag.add_message(lidar, kStart_ns, lidar_message(kStart_ns));
   const TempFolder folder;
-  const auto source = open_recording(folder.file("noimu.bag", bag.finish()));
-  ASSERT_FALSE(source);
-  EXPECT_EQ(source.error().code, ErrorCode::kNotFound);
-  EXPECT_THAT(source.error().message,
-              AllOf(HasSubstr("noimu.bag"),
-                    HasSubstr("no IMU topic"),
-                    HasSubstr("/points (sensor_msgs/PointCloud2, 1 messages)"),
-                    HasSubstr("/imu (sensor_msgs/Imu, 0 messages)"),
-                    HasSubstr("record")));
+  auto source = open_recording(folder.file("noimu.bag", bag.finish()));
+  ASSERT_TRUE(source) << source.error().message;
+  EXPECT_EQ((*source)->summary().imu_topic, "");
+  const auto message = (*source)->next();
+  ASSERT_TRUE(message && *message);
+  EXPECT_TRUE(std::holds_alternative<LidarScan>(**message));
   const auto summary = inspect_recording(folder.path() / "noimu.bag");
   ASSERT_TRUE(summary);
   EXPECT_EQ(summary->lidar_topic, "/points");

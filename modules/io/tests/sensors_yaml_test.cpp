@@ -69,6 +69,8 @@ TEST(SensorsYaml, EveryKeyReadsBackAsWritten) {
       .lidar_topic = "/points: #1",
       .imu_topic = "/imu/data",
       .gnss_topic = "none",
+      .lidar_frame = "livox_frame#2",
+      .imu_frame = "/imu",
       .point_time_field = "offset_time",
       .point_time_unit = "ns",
       .imu_from_lidar = Rigid3{.rotation = Eigen::Quaterniond(0.9, 0.3, -0.2, 0.25).normalized(),
@@ -84,6 +86,8 @@ TEST(SensorsYaml, EveryKeyReadsBackAsWritten) {
   EXPECT_EQ(back->lidar_topic, full.lidar_topic);
   EXPECT_EQ(back->imu_topic, full.imu_topic);
   EXPECT_EQ(back->gnss_topic, full.gnss_topic);
+  EXPECT_EQ(back->lidar_frame, full.lidar_frame);
+  EXPECT_EQ(back->imu_frame, full.imu_frame);
   EXPECT_EQ(back->point_time_field, full.point_time_field);
   EXPECT_EQ(back->point_time_unit, full.point_time_unit);
   EXPECT_LT(rotation_distance_rad(back->imu_from_lidar->rotation, full.imu_from_lidar->rotation),

@@ -23,6 +23,14 @@ std::size_t clean_scan(double min_range_m, double max_range_m, std::vector<Lidar
   return before - points.size();
 }
 
+void decimate(std::size_t max_points, std::vector<LidarPoint>& points) {
+  if (points.size() <= max_points) return;
+  const std::size_t stride = (points.size() - 1) / max_points + 1;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < points.size(); i += stride) points[kept++] = points[i];
+  points.resize(kept);
+}
+
 void deskew(const std::vector<LidarPoint>& points,
             const std::vector<PathNode>& path,
             const NavState& end,

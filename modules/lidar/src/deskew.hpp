@@ -12,6 +12,9 @@ namespace hybridfusion {
 /// by time. @returns how many were dropped.
 std::size_t clean_scan(double min_range_m, double max_range_m, std::vector<LidarPoint>& points);
 
+/// Keeps every n-th point, so that at most `max_points` are left.
+void decimate(std::size_t max_points, std::vector<LidarPoint>& points);
+
 /// Moves points measured at different times to where they would have been seen at the end of the
 /// path (FAST-LIO2, backward propagation).
 /// @param points    In the LiDAR frame, offsets in ascending time.

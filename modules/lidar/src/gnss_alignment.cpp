@@ -225,6 +225,33 @@ void fill_statistics(const std::vector<Pair>& pairs,
                           mean_sigma.z() * mean_sigma.z();
 }
 
+/// What remains when no placing makes fixes and trajectory agree. Receivers in streets are off by
+/// some metres more than they state, and now and then by far more: neither is a contradiction.
+std::string contradiction_of(const std::vector<Pair>& pairs, const Fit& fit, double extent_m) {
+  constexpr double kSigmas = 5.0;
+  constexpr double kMultipath_m = 5.0;
+  constexpr double kShareOfTrack = 0.05;
+  std::vector<double> off_m;
+  std::vector<double> sigmas_m;
+  std::size_t num_off = 0;
+  for (const Pair& pair : pairs) {
+    const double sigma_m = pair.sigma_m.head<2>().norm();
+    sigmas_m.push_back(sigma_m);
+    off_m.push_back((pair.fix_in_enu - apply(fit, pair.antenna_in_map)).head<2>().norm());
+    const double limit_m = std::max({kSigmas * sigma_m, kMultipath_m, kShareOfTrack * extent_m});
+    if (off_m.back() > limit_m) ++num_off;
+  }
+  if (5 * num_off < 2 * pairs.size()) return "";
+  std::ranges::sort(off_m);
+  return fmt::format(
+      "{} of {} GNSS fixes contradict the trajectory: nine in ten lie within {:.1f} "
+      "m of it, the receiver states {:.1f} m",
+      num_off,
+      pairs.size(),
+      off_m[off_m.size() * 9 / 10],
+      median(sigmas_m));
+}
+
 }  // namespace
 
 Expected<GnssAlignment> align_gnss(const Trajectory& trajectory,
@@ -258,6 +285,8 @@ Expected<GnssAlignment> align_gnss(const Trajectory& trajectory,
   std::vector<double> weights;
   const Fit fit =
       reweighted(pairs, options.outlier_sigmas, robust_start(pairs, out.track_extent_m), weights);
+  out.contradiction = contradiction_of(pairs, fit, out.track_extent_m);
+  if (!out.contradiction.empty()) return out;
   fill_statistics(pairs, weights, fit, out);
   if (out.num_used < kMinFixes) {
     return fail(ErrorCode::kInsufficient,

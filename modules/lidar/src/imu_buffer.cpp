@@ -79,6 +79,32 @@ void ImuBuffer::take(const ImuSample& sample) {
   }
   samples_.push_back(sample);
   saturated_.push_back(saturated);
+  note_roughness();
+}
+
+void ImuBuffer::note_roughness() {
+  constexpr double kSlow_s = 0.02;
+  constexpr double kMemory_s = 5.0;
+  if (typical_interval_s_ < kSlow_s || samples_.size() < 3) return;
+  const ImuSample& a = samples_[samples_.size() - 3];
+  const ImuSample& b = samples_[samples_.size() - 2];
+  const ImuSample& c = samples_.back();
+  const double whole_s = to_seconds(c.time - a.time);
+  if (whole_s > 2.0 * gap_s()) return;
+  const double share = to_seconds(b.time - a.time) / whole_s;
+  // White noise of variance s^2 leaves 3/2 s^2 off the line, a mean over three axes.
+  const auto density2 =
+      [&](const Eigen::Vector3d& from, const Eigen::Vector3d& at, const Eigen::Vector3d& to) {
+        return (at - from - share * (to - from)).squaredNorm() / 4.5 * 0.5 * whole_s;
+      };
+  const double gain = std::min(1.0, 0.5 * whole_s / kMemory_s);
+  gyro_roughness2_ +=
+      gain *
+      (density2(a.angular_velocity_radps, b.angular_velocity_radps, c.angular_velocity_radps) -
+       gyro_roughness2_);
+  accel_roughness2_ +=
+      gain * (density2(a.specific_force_mps2, b.specific_force_mps2, c.specific_force_mps2) -
+              accel_roughness2_);
 }
 
 double ImuBuffer::gap_s() const {

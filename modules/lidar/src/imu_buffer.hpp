@@ -4,6 +4,7 @@
 
 #include <hybridfusion/core/sensor_data.hpp>
 
+#include <cmath>
 #include <deque>
 #include <optional>
 #include <span>
@@ -36,12 +37,18 @@ class ImuBuffer {
   /// What is added to stamps since the clock stepped back.
   [[nodiscard]] Timestamp shift() const { return shift_; }
   [[nodiscard]] double typical_interval_s() const { return typical_interval_s_; }
+  /// Densities of what lies between samples that come slower than 50 a second and that a line
+  /// between them misses, from how far samples lie off the line between their neighbours; 0 for
+  /// faster IMUs, whose vibration is no noise of the motion.
+  [[nodiscard]] double gyro_roughness() const { return std::sqrt(gyro_roughness2_); }
+  [[nodiscard]] double accel_roughness() const { return std::sqrt(accel_roughness2_); }
   /// Longest interval that is not a gap: five typical ones, at least 30 ms.
   [[nodiscard]] double gap_s() const;
 
  private:
   [[nodiscard]] ImuSample at(Timestamp time) const;
   void take(const ImuSample& sample);
+  void note_roughness();
 
   std::deque<ImuSample> samples_ = {};
   std::deque<bool> saturated_ = {};
@@ -49,6 +56,8 @@ class ImuBuffer {
   Timestamp shift_{};
   double force_scale_ = 1.0;
   double typical_interval_s_ = 0.0;
+  double gyro_roughness2_ = 0.0;   // rad^2/s
+  double accel_roughness2_ = 0.0;  // m^2/s^3
   int num_late_ = 0;
   std::size_t num_gaps_ = 0;
 };

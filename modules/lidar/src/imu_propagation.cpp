@@ -12,6 +12,13 @@ struct MidPoint {
   Eigen::Vector3d rate;           // angular velocity without bias
   Eigen::Vector3d force;          // specific force without bias
   Eigen::Matrix3d half_rotation;  // Exp(rate dt / 2)
+
+  [[nodiscard]] Eigen::Vector3d acceleration_in_map(const NavState& state,
+                                                    const ImuStep& step,
+                                                    const Eigen::Matrix3d& map_from_mid) const {
+    if (step.coasting) return Eigen::Vector3d::Zero();
+    return map_from_mid * force + state.gravity_in_map;
+  }
 };
 
 MidPoint mid_point(const NavState& state, const ImuStep& step) {
@@ -28,7 +35,7 @@ NavState propagated(const NavState& state, const ImuStep& step) {
   const double dt = step.dt_s;
   const MidPoint mid = mid_point(state, step);
   const Eigen::Matrix3d map_from_mid = state.map_from_imu * mid.half_rotation;
-  const Eigen::Vector3d acceleration = map_from_mid * mid.force + state.gravity_in_map;
+  const Eigen::Vector3d acceleration = mid.acceleration_in_map(state, step, map_from_mid);
   NavState out = state;
   out.position_in_map += state.velocity_in_map * dt + 0.5 * dt * dt * acceleration;
   out.velocity_in_map += dt * acceleration;
@@ -40,7 +47,7 @@ NavState propagated_back(const NavState& state, const ImuStep& step) {
   const double dt = step.dt_s;
   const MidPoint mid = mid_point(state, step);
   const Eigen::Matrix3d map_from_mid = state.map_from_imu * mid.half_rotation.transpose();
-  const Eigen::Vector3d acceleration = map_from_mid * mid.force + state.gravity_in_map;
+  const Eigen::Vector3d acceleration = mid.acceleration_in_map(state, step, map_from_mid);
   NavState out = state;
   out.map_from_imu = map_from_mid * mid.half_rotation.transpose();
   out.velocity_in_map -= dt * acceleration;
@@ -58,11 +65,13 @@ ErrorMatrix propagation_jacobian(const NavState& state, const ImuStep& step) {
   ErrorMatrix f = ErrorMatrix::Identity();
   // d(acceleration)/d(theta, b_g, b_a, g); velocity takes dt of it, position 1/2 dt^2.
   Eigen::Matrix<double, 3, err::kSize> da = Eigen::Matrix<double, 3, err::kSize>::Zero();
-  da.block<3, 3>(0, err::kRotation) = -force_lever * mid.half_rotation.transpose();
-  da.block<3, 3>(0, err::kGyroBias) = force_lever * so3_right_jacobian(half_angle) * (0.5 * dt);
-  da.block<3, 3>(0, err::kAccelBias) = -map_from_mid;
-  da.block<3, 2>(0, err::kGravity) =
-      s2_plus_jacobian(state.gravity_in_map, Eigen::Vector2d::Zero());
+  da.block<3, 3>(0, err::kAccelBias) = -map_from_mid;  // while coasting: of its noise alone
+  if (!step.coasting) {
+    da.block<3, 3>(0, err::kRotation) = -force_lever * mid.half_rotation.transpose();
+    da.block<3, 3>(0, err::kGyroBias) = force_lever * so3_right_jacobian(half_angle) * (0.5 * dt);
+    da.block<3, 2>(0, err::kGravity) =
+        s2_plus_jacobian(state.gravity_in_map, Eigen::Vector2d::Zero());
+  }
   f.middleRows<3>(err::kPosition) += 0.5 * dt * dt * da;
   f.block<3, 3>(err::kPosition, err::kVelocity) += dt * Eigen::Matrix3d::Identity();
   f.middleRows<3>(err::kVelocity) += dt * da;
@@ -78,7 +87,7 @@ void propagate(const ImuStep& step, const ImuNoise& noise, StateEstimate& estima
   const ErrorMatrix f = propagation_jacobian(estimate.state, step);
   double gyro = noise.gyro_noise_density;
   double accel = noise.accel_noise_density;
-  if (step.bridged) gyro = kBridgedGyroDensity, accel = kBridgedAccelDensity;
+  if (step.bridged && !step.coasting) gyro = kBridgedGyroDensity, accel = kBridgedAccelDensity;
 
   ErrorMatrix p = f * estimate.covariance * f.transpose();
   // White noise acts where the biases act: columns of F at the biases, variance density^2 / dt.

@@ -11,6 +11,9 @@ namespace hybridfusion {
 
 /// Constant IMU input over a short interval: the mid-point of the samples at its ends.
 struct ImuStep {
+  /// No IMU speaks: velocity in the map and turn rate (the negative gyro bias) go on, and noise of
+  /// the motion itself takes the place of the sensor's.
+  bool coasting = false;
   double dt_s = 0.0;
   Eigen::Vector3d angular_velocity_radps = Eigen::Vector3d::Zero();
   Eigen::Vector3d specific_force_mps2 = Eigen::Vector3d::Zero();

@@ -37,12 +37,13 @@ struct ImuMean {
 /// As good a guess as the IMU alone allows when the vehicle moves.
 [[nodiscard]] StateEstimate moving_state(const ImuMean& mean, const LidarRig& rig);
 
-/// Velocity and gravity at `begin` by least squares from the scan poses of a trial run and the
-/// specific force between them; the state is levelled by that gravity. Nothing for fewer than five
-/// scans.
-[[nodiscard]] std::optional<StateEstimate> fit_moving_state(const StateEstimate& start,
+/// State at `begin` from scan poses that owe nothing to the IMU and from what the IMU measured
+/// meanwhile: gyro bias from the turns, velocity and gravity by least squares; the map is levelled
+/// by that gravity. Nothing for fewer than five scans, or when no gravity is in the force.
+/// @param scans  Poses in the frame of the IMU at `begin`.
+[[nodiscard]] std::optional<StateEstimate> fit_moving_state(std::span<const ScanEstimate> scans,
                                                             Timestamp begin,
-                                                            std::span<const ScanEstimate> scans,
-                                                            const ImuBuffer& imu);
+                                                            const ImuBuffer& imu,
+                                                            const LidarRig& rig);
 
 }  // namespace hybridfusion

@@ -84,6 +84,14 @@ bool is_plausible(const LidarFilterOptions& options,
          posterior.state.velocity_in_map.norm() <= kMaxSpeed_mps;
 }
 
+/// d^T S^-1 d / 3 of a block of the correction.
+double normalized_innovation(const ErrorMatrix& prior, const ErrorVector& change, int at) {
+  const Eigen::Matrix3d variance = prior.block<3, 3>(at, at);
+  const Eigen::Vector3d d = change.segment<3>(at);
+  const double value = d.dot(variance.ldlt().solve(d)) / 3.0;
+  return std::isfinite(value) ? std::max(0.0, value) : 0.0;
+}
+
 /// What the matches say, without false information along directions that few of them face.
 MatchInformation linearize_soundly(const ScanMatcher& matcher, const NavState& state) {
   // Normals of planes through five noisy points are off by a few degrees: a mean squared cosine
@@ -167,6 +175,9 @@ UpdateReport iterated_update(
     report.flags |= bit(ScanFlag::kDiverged);
     return report;
   }
+  const ErrorVector change = minus(posterior.state, estimate.state);
+  report.turn_innovation = normalized_innovation(estimate.covariance, change, err::kRotation);
+  report.shift_innovation = normalized_innovation(estimate.covariance, change, err::kPosition);
   estimate = posterior;
   return report;
 }

@@ -24,6 +24,10 @@ struct UpdateReport {
   int num_matched = 0;
   double mean_residual_m = 0.0;
   double min_information = 0.0;
+  /// Squared correction by the points over its predicted variance, mean of three axes: about 1 when
+  /// the prediction is as good as it says.
+  double turn_innovation = 0.0;
+  double shift_innovation = 0.0;
   std::uint32_t flags = 0;  ///< ScanFlag bits: unmatched, degenerate, diverged.
 };
 

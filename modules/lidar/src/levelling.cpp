@@ -131,22 +131,29 @@ MapLevel level_map(std::vector<StoredScan>& scans) {
   } else {
     // Late estimates know the accelerometer bias: they weigh by their own variance.
     for (const StoredScan& scan : scans) {
+      if (scan.gravity_sigma_rad == 0.0) continue;
       const double sigma = std::max(scan.gravity_sigma_rad, 1e-6);
       down += (scan.map_from_imu.rotation * scan.gravity_in_imu).normalized() / (sigma * sigma);
       // One filter's estimates share their errors: their mean is no better than the best.
       sigma_rad = std::min(sigma_rad, sigma);
     }
+    // Nor are they better than what the motion can tell from a bias at all: fast drives made the
+    // filter believe in a tenth of a degree where it was off by one.
+    if (fit && down.norm() > 0.0) sigma_rad = std::max(sigma_rad, fit->tilt_sigma_rad);
   }
   if (!down.allFinite() || down.norm() == 0.0) return {};
+  return {.turn_rad = turn_upright(-down, scans), .sigma_rad = sigma_rad};
+}
+
+double turn_upright(const Eigen::Vector3d& up_in_map, std::vector<StoredScan>& scans) {
   const Eigen::Quaterniond level =
-      Eigen::Quaterniond::FromTwoVectors(down, -Eigen::Vector3d::UnitZ());
+      Eigen::Quaterniond::FromTwoVectors(up_in_map, Eigen::Vector3d::UnitZ());
   const Eigen::Vector3d origin = scans.front().map_from_imu.translation;
   for (StoredScan& scan : scans) {
     scan.map_from_imu.translation = level * (scan.map_from_imu.translation - origin) + origin;
     scan.map_from_imu.rotation = (level * scan.map_from_imu.rotation).normalized();
   }
-  return {.turn_rad = rotation_distance_rad(level, Eigen::Quaterniond::Identity()),
-          .sigma_rad = sigma_rad};
+  return rotation_distance_rad(level, Eigen::Quaterniond::Identity());
 }
 
 }  // namespace hybridfusion

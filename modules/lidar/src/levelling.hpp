@@ -41,7 +41,9 @@ struct MapLevel {
 };
 
 /// Turns the map about its first pose so that gravity points down: by fit_gravity where that is
-/// certain enough, else as the filter came to know gravity.
+/// certain enough, else as the filter came to know gravity. Left as it is when no IMU measured it.
 MapLevel level_map(std::vector<StoredScan>& scans);
+/// Turns the map about its first pose so that `up_in_map` becomes z. @returns the angle [rad].
+double turn_upright(const Eigen::Vector3d& up_in_map, std::vector<StoredScan>& scans);
 
 }  // namespace hybridfusion

@@ -1,12 +1,16 @@
 #include "dense_map.hpp"
+#include "drive_judgement.hpp"
 #include "levelling.hpp"
 #include "loop_closure.hpp"
 #include "refinement.hpp"
 #include "scan_store.hpp"
+#include "structure_level.hpp"
 
 #include <hybridfusion/lidar/mapper.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <span>
 
 #include <fmt/format.h>
@@ -28,6 +32,8 @@ void add_warnings(const OdometrySummary& summary, std::vector<std::string>& warn
   note(summary.num_lidar_gaps, "gaps between LiDAR scans were bridged by the IMU");
   note(summary.num_scans_dropped, "scans with repeated or late stamps were dropped");
   note(summary.num_imu_dropped, "IMU samples with repeated, late or invalid values were dropped");
+  note(summary.num_scans_before_start,
+       "scans at the start are left out: they do not fit each other under any motion");
   note(summary.num_unmatched_scans, "scans could not be matched: their poses are predictions");
   note(summary.num_degenerate_scans, "scans left a direction undetermined: held to the prediction");
 }
@@ -61,6 +67,8 @@ struct LidarMapper::Impl {
   void judge();
   Expected<void> correct_drift(const RunContext& ctx);
   Expected<void> refine(const RunContext& ctx);
+  Expected<void> level(const RunContext& ctx);
+  void join_levels(double gravity_sigma_rad, const StructureLevel& structure);
 };
 
 void LidarMapper::Impl::collect() {
@@ -72,9 +80,14 @@ void LidarMapper::Impl::collect() {
 }
 
 void LidarMapper::Impl::judge() {
+  result.contradictions = contradictions_of(result.odometry, store.scans());
   result.longest_blind_s = longest_blind_s(result.quality);
-  result.reliable = result.longest_blind_s <= options.max_blind_s;
-  if (result.reliable) return;
+  const bool blind = !(result.longest_blind_s <= options.max_blind_s);
+  result.reliable = !blind && result.contradictions.empty();
+  for (const std::string& contradiction : result.contradictions) {
+    result.warnings.push_back(contradiction);
+  }
+  if (!blind) return;
   result.warnings.push_back(
       fmt::format("no scan was located by its points for {:.1f} s (limit {} s, "
                   "lidar.odometry.max_blind_s): the trajectory is a guess from there on; was the "
@@ -127,6 +140,55 @@ Expected<void> LidarMapper::Impl::refine(const RunContext& ctx) {
     return std::unexpected(std::move(report).error());
   }
   result.warnings.push_back("the poses are not refined: " + report.error().message);
+  return {};
+}
+
+/// The map is level by gravity: walls and ground take it nearer to theirs as sure as they are. When
+/// they contradict, one of them is wrong, and nothing is mixed.
+void LidarMapper::Impl::join_levels(double gravity_sigma_rad, const StructureLevel& structure) {
+  constexpr double kSigmas = 4.0;
+  const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
+  const double apart_rad = std::acos(std::clamp(structure.up_in_map.dot(up), -1.0, 1.0));
+  if (apart_rad > kSigmas * std::hypot(gravity_sigma_rad, structure.sigma_rad)) {
+    result.warnings.push_back(fmt::format(
+        "gravity lies {:.1f} degrees off the vertical of walls and ground: they are steep here, or "
+        "the accelerometer is wrong",
+        apart_rad * 180.0 / std::numbers::pi));
+    return;
+  }
+  const double by_gravity = 1.0 / (gravity_sigma_rad * gravity_sigma_rad);
+  const double by_structure = 1.0 / (structure.sigma_rad * structure.sigma_rad);
+  result.level_correction_rad +=
+      turn_upright(by_gravity * up + by_structure * structure.up_in_map, store.scans());
+  result.level_sigma_rad = 1.0 / std::sqrt(by_gravity + by_structure);
+}
+
+Expected<void> LidarMapper::Impl::level(const RunContext& ctx) {
+  std::vector<StoredScan>& scans = store.scans();
+  const MapLevel by_gravity = level_map(scans);
+  result.level_correction_rad = by_gravity.turn_rad;
+  result.level_sigma_rad = by_gravity.sigma_rad;
+  // Where gravity is known that well, leaning walls and sloping streets add nothing.
+  constexpr double kGoodLevel_rad = 0.003;
+  const bool has_gravity = by_gravity.sigma_rad > 0.0;
+  if (scans.empty() || (has_gravity && by_gravity.sigma_rad < kGoodLevel_rad)) return {};
+  const std::vector<Segment> segments = cut_into_segments(scans, options.refine.segment_s);
+  const Eigen::Vector3d lidar_up = scans.front().map_from_imu.rotation *
+                                   (rig.imu_from_lidar.rotation * Eigen::Vector3d::UnitZ());
+  const Eigen::Vector3d about_up = has_gravity ? Eigen::Vector3d::UnitZ() : lidar_up;
+  HF_TRY(const std::optional<StructureLevel> by_structure,
+         level_by_structure(store, segments, about_up, ctx));
+  if (has_gravity) {
+    if (by_structure) join_levels(by_gravity.sigma_rad, *by_structure);
+    return {};
+  }
+  if (!by_structure) {
+    result.warnings.emplace_back(
+        "the map is not level: no IMU measured gravity, and neither walls nor ground are seen");
+    return {};
+  }
+  result.level_correction_rad = turn_upright(by_structure->up_in_map, scans);
+  result.level_sigma_rad = by_structure->sigma_rad;
   return {};
 }
 
@@ -184,9 +246,7 @@ Expected<MappingResult> LidarMapper::finish(const RunContext& ctx, const MapSink
   add_warnings(result.odometry, result.warnings);
   if (auto done = impl_->correct_drift(ctx); !done) return std::unexpected(done.error());
   if (auto done = impl_->refine(ctx); !done) return std::unexpected(done.error());
-  const MapLevel level = level_map(store.scans());
-  result.level_correction_rad = level.turn_rad;
-  result.level_sigma_rad = level.sigma_rad;
+  if (auto done = impl_->level(ctx); !done) return std::unexpected(done.error());
   for (const StoredScan& scan : store.scans()) {
     result.trajectory.poses.push_back({.time = scan.time, .map_from_body = scan.map_from_imu});
   }

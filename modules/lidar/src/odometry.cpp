@@ -1,15 +1,8 @@
 #include "deskew.hpp"
-#include "imu_buffer.hpp"
-#include "initialization.hpp"
-#include "rig_check.hpp"
-#include "scan_filter.hpp"
-
-#include <hybridfusion/lidar/odometry.hpp>
+#include "odometry_impl.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
-#include <optional>
 
 #include <fmt/format.h>
 
@@ -32,33 +25,6 @@ constexpr std::uint32_t bit(ScanFlag flag) {
 
 }  // namespace
 
-struct LidarOdometry::Impl {
-  OdometryOptions options;
-  LidarRig rig;
-  ImuBuffer imu = {};
-  std::deque<PreparedScan> waiting = {};
-  std::optional<ScanFilter> filter = {};
-  RigCheck rig_check = {};
-  std::vector<ScanEstimate> done = {};
-  OdometrySummary summary = {};
-  Timestamp last_end{};
-  Timestamp shift{};
-  double typical_period_s = 0.0;
-  double typical_span_s = 0.0;
-  int num_accepted = 0;
-  int num_late = 0;
-  bool clock_stepped = false;
-
-  PreparedScan prepare(LidarScan scan);
-  bool accept(PreparedScan& scan);
-  void note_period(PreparedScan& scan);
-  void drain(bool last);
-  bool try_start(bool last);
-  void start_moving(Timestamp begin, const ImuMean& mean);
-  bool stands_still(ScanFilter trial) const;
-  void process_front();
-};
-
 PreparedScan LidarOdometry::Impl::prepare(LidarScan scan) {
   PreparedScan out{.stamp = scan.stamp + shift};
   out.points = std::move(scan.points);
@@ -69,6 +35,8 @@ PreparedScan LidarOdometry::Impl::prepare(LidarScan scan) {
   if (out.points.size() < static_cast<std::size_t>(options.filter.min_matches)) {
     out.flags |= bit(ScanFlag::kFewPoints);
   }
+  // The filter matches some thousand points; more than this only cost time (see the option).
+  decimate(static_cast<std::size_t>(options.max_odometry_points), out.points);
   if (out.points.size() > 1) {
     const double span_s =
         1e-9 * (static_cast<double>(out.points.back().offset_ns) - out.points.front().offset_ns);
@@ -137,72 +105,12 @@ void LidarOdometry::Impl::note_period(PreparedScan& scan) {
   ++num_accepted;
 }
 
-bool LidarOdometry::Impl::stands_still(ScanFilter trial) const {
-  // A steady drive looks still to the IMU but not to the LiDAR.
-  constexpr double kMaxSpeed_mps = 0.15;
-  constexpr std::size_t kTrialScans = 6;
-  for (std::size_t i = 0; i < std::min(kTrialScans, waiting.size()); ++i) {
-    (void)trial.process(waiting[i], imu);
-  }
-  return waiting.size() < 2 || trial.estimate().state.velocity_in_map.norm() < kMaxSpeed_mps;
-}
-
-void LidarOdometry::Impl::start_moving(Timestamp begin, const ImuMean& mean) {
-  constexpr int kRounds = 2;
-  StateEstimate start = moving_state(mean, rig);
-  for (int round = 0; round < kRounds; ++round) {
-    ScanFilter trial(options, rig, start, begin);
-    std::vector<ScanEstimate> poses;
-    for (const PreparedScan& scan : waiting) {
-      if (scan.end > imu.last_time() || to_seconds(scan.end - begin) > options.init.max_wait_s) {
-        break;
-      }
-      poses.push_back(trial.process(scan, imu));
-      poses.back().deskewed = {};
-    }
-    const auto better = fit_moving_state(start, begin, poses, imu);
-    if (!better) break;
-    start = *better;
-  }
-  filter.emplace(options, rig, start, begin);
-}
-
-bool LidarOdometry::Impl::try_start(bool last) {
-  const Timestamp begin = waiting.front().begin;
-  const Timestamp data_begin = std::max(begin, imu.first_time());
-  const Timestamp still_end = data_begin + from_seconds(options.init.standstill_s);
-  if (!last && imu.last_time() < still_end) return false;
-  ImuMean mean = imu_mean(imu, imu.first_time(), still_end);
-  if (mean.num_samples == 0) mean = imu_mean(imu, imu.first_time(), imu.last_time());
-  if (!summary.imu_in_g && speaks_in_g(mean)) {
-    imu.set_force_scale(kStandardGravity_mps2);
-    summary.imu_in_g = true;
-    summary.warnings.emplace_back("the accelerometer speaks in g, not m/s^2: scaled by 9.80665");
-    mean = imu_mean(imu, imu.first_time(), still_end);
-  }
-  if (is_standstill(mean, options.init, rig.imu_noise)) {
-    // The trial's velocity is free enough for a steady drive to show itself.
-    constexpr double kTrialSpeed_mps = 0.5;
-    constexpr double kStillSpeed_mps = 0.02;
-    if (stands_still({options, rig, standstill_state(mean, rig, kTrialSpeed_mps), begin})) {
-      summary.started_at_standstill = true;
-      filter.emplace(options, rig, standstill_state(mean, rig, kStillSpeed_mps), begin);
-      return true;
-    }
-  }
-  if (!last && to_seconds(imu.last_time() - data_begin) < options.init.max_wait_s) return false;
-  summary.warnings.emplace_back(
-      "no standstill at the start: level and velocity come from the first seconds of motion; "
-      "stand still for 2 s before driving off for the best start");
-  start_moving(begin, imu_mean(imu, imu.first_time(), imu.last_time()));
-  return true;
-}
-
 void LidarOdometry::Impl::process_front() {
   PreparedScan scan = std::move(waiting.front());
   waiting.pop_front();
   done.push_back(filter->process(scan, imu));
-  rig_check.add(done.back());
+  if (filter->model() == MotionModel::kInertial) rig_check.add(done.back());
+  watch_imu(done.back());
   const std::uint32_t flags = done.back().quality.flags;
   ++summary.num_scans;
   summary.num_map_points = filter->map().size();
@@ -217,17 +125,24 @@ void LidarOdometry::Impl::process_front() {
 }
 
 void LidarOdometry::Impl::drain(bool last) {
-  while (!waiting.empty() && !imu.empty()) {
-    const bool covered = imu.last_time() >= waiting.front().end;
+  while (!waiting.empty()) {
     const bool forced = last || waiting.size() > kMaxWaiting;
-    if (!covered && !forced) return;
-    if (!covered && !summary.imu_ended) {
-      summary.imu_ended = true;
-      summary.warnings.push_back(fmt::format(
-          "the IMU stops at scan {}: later motion comes from the LiDAR alone", summary.num_scans));
+    if (wants_imu()) {
+      if (imu.empty() && !forced) return;
+      const bool covered = !imu.empty() && imu.last_time() >= waiting.front().end;
+      if (!covered && !forced) return;
+      if (!covered && !imu.empty() && !summary.imu_ended) {
+        summary.imu_ended = true;
+        summary.warnings.push_back(
+            fmt::format("the IMU stops at scan {}: later motion comes from the LiDAR alone",
+                        summary.num_scans));
+      }
     }
-    if (!filter && !try_start(forced)) return;
-    process_front();
+    if (filter) {
+      process_front();
+    } else if (!try_start(forced)) {
+      if (!forced) return;
+    }
   }
 }
 
@@ -274,23 +189,28 @@ std::vector<ScanEstimate> LidarOdometry::take() {
 }
 
 Expected<void> LidarOdometry::finish() {
-  if (impl_->imu.empty()) {
-    return fail(ErrorCode::kInsufficient,
-                "the recording has no usable IMU sample; LiDAR-inertial odometry needs an IMU");
-  }
   if (impl_->num_accepted == 0) {
     return fail(ErrorCode::kInsufficient, "the recording has no LiDAR scan");
   }
   impl_->drain(true);
+  if (impl_->summary.num_scans == 0) {
+    return fail(ErrorCode::kDegenerate,
+                fmt::format("the motion of the LiDAR was not found in any of {} scans: they do not "
+                            "fit each other; is the view free, and do the scans follow each other "
+                            "within a fraction of a second?",
+                            impl_->num_accepted));
+  }
   constexpr double kSlowImu_hz = 50.0;
   const double interval_s = impl_->imu.typical_interval_s();
-  if (interval_s * kSlowImu_hz > 1.0) {
+  if (interval_s * kSlowImu_hz > 1.0 && impl_->wants_imu()) {
     impl_->summary.warnings.push_back(
         fmt::format("the IMU delivers only {:.0f} samples a second: turns within a scan are not "
                     "known; 100 or more are needed for full accuracy",
                     1.0 / interval_s));
   }
-  if (!impl_->options.filter.estimate_extrinsic) {
+  impl_->name_imu_fault();
+  impl_->summary.used_imu = impl_->filter && impl_->filter->model() == MotionModel::kInertial;
+  if (!impl_->options.filter.estimate_extrinsic && impl_->summary.imu_doubts.empty()) {
     const auto warnings = impl_->rig_check.warnings();
     impl_->summary.warnings.insert(impl_->summary.warnings.end(), warnings.begin(), warnings.end());
   }

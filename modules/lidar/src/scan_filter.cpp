@@ -20,6 +20,13 @@ constexpr std::uint32_t bit(ScanFlag flag) {
   return static_cast<std::uint32_t>(flag);
 }
 
+// How vehicles and people move: white acceleration and angular acceleration.
+constexpr ImuNoise kMotionNoise = {.gyro_noise_density = 1e-3,
+                                   .accel_noise_density = 2.0,
+                                   .gyro_bias_walk = 1.0,
+                                   .accel_bias_walk = 1e-6};
+constexpr double kMaxCoastingStep_s = 0.02;
+
 /// The first scan makes the map with the extrinsic as given. When that is off by [t; e], the LiDAR
 /// still lies where the map has it; pose of the IMU and gravity are what is off with it:
 /// R <- R Exp(-R_IL e), g <- Exp(-R R_IL e) g, p <- p - R t - R [t_IL]x R_IL e.
@@ -60,13 +67,32 @@ std::vector<Eigen::Vector3f> positions(const std::vector<LidarPoint>& points) {
 ScanFilter::ScanFilter(const OdometryOptions& options,
                        const LidarRig& rig,
                        const StateEstimate& initial,
-                       Timestamp time)
+                       Timestamp time,
+                       MotionModel model)
     : options_(options),
-      noise_(rig.imu_noise),
+      model_(model),
+      noise_(model == MotionModel::kInertial ? rig.imu_noise : kMotionNoise),
       estimate_(initial),
       time_(time),
       map_(options.local_map) {
   if (options.filter.estimate_extrinsic) loosen_extrinsic(estimate_);
+}
+
+void ScanFilter::leave_imu() {
+  if (model_ == MotionModel::kConstantVelocity) return;
+  constexpr double kSpeedSigma_mps = 2.0;
+  constexpr double kTurnSigma_radps = 0.3;
+  model_ = MotionModel::kConstantVelocity;
+  noise_ = kMotionNoise;
+  estimate_.state.gyro_bias = -rate_radps_;
+  const auto restart = [&](int at, double sigma) {
+    estimate_.covariance.middleRows<3>(at).setZero();
+    estimate_.covariance.middleCols<3>(at).setZero();
+    estimate_.covariance.diagonal().segment<3>(at).setConstant(sigma * sigma);
+  };
+  restart(err::kVelocity, kSpeedSigma_mps);
+  restart(err::kGyroBias, kTurnSigma_radps);
+  restart(err::kAccelBias, 0.0);
 }
 
 ImuStep ScanFilter::bridged(ImuStep step) const {
@@ -82,12 +108,31 @@ ImuStep ScanFilter::bridged(ImuStep step) const {
   return step;
 }
 
+std::vector<ImuStep> ScanFilter::steps(const ImuBuffer& imu, Timestamp begin, Timestamp end) const {
+  if (model_ == MotionModel::kInertial) return imu.steps(begin, end);
+  const double duration_s = to_seconds(end - begin);
+  const auto count =
+      static_cast<std::size_t>(std::ceil(std::max(0.0, duration_s) / kMaxCoastingStep_s));
+  return std::vector<ImuStep>(
+      count, {.coasting = true, .dt_s = duration_s / static_cast<double>(count), .bridged = true});
+}
+
+ImuNoise ScanFilter::noise(const ImuBuffer& imu) const {
+  ImuNoise noise = noise_;
+  if (model_ == MotionModel::kInertial) {
+    noise.gyro_noise_density = std::max(noise.gyro_noise_density, imu.gyro_roughness());
+    noise.accel_noise_density = std::max(noise.accel_noise_density, imu.accel_roughness());
+  }
+  return noise;
+}
+
 void ScanFilter::predict(const ImuBuffer& imu, ScanEstimate& scan) {
-  for (const ImuStep& sample : imu.steps(time_, scan.time)) {
+  const ImuNoise noise = this->noise(imu);
+  for (const ImuStep& sample : steps(imu, time_, scan.time)) {
     const ImuStep step = bridged(sample);
     integrate(step, estimate_.state.gyro_bias, scan.since_last);
-    propagate(step, noise_, estimate_);
-    if (sample.bridged) scan.quality.flags |= bit(ScanFlag::kImuGap);
+    propagate(step, noise, estimate_);
+    if (sample.bridged && !sample.coasting) scan.quality.flags |= bit(ScanFlag::kImuGap);
     if (sample.saturated) scan.quality.flags |= bit(ScanFlag::kSaturated);
   }
   time_ = scan.time;
@@ -99,13 +144,13 @@ ScanEstimate ScanFilter::process(const PreparedScan& scan, const ImuBuffer& imu)
       .time = scan.end, .num_points = static_cast<int>(scan.points.size()), .flags = scan.flags};
   const Eigen::Matrix3d map_from_last = estimate_.state.map_from_imu;
   predict(imu, out);
-  std::vector<ImuStep> steps = imu.steps(scan.begin, scan.end);
-  for (ImuStep& step : steps) step = bridged(step);
+  std::vector<ImuStep> path = steps(imu, scan.begin, scan.end);
+  for (ImuStep& step : path) step = bridged(step);
   const std::int64_t end_ns = (scan.end - scan.stamp).count();
   const auto deskew_to = [&](const NavState& end,
                              const std::vector<LidarPoint>& points,
                              std::vector<LidarPoint>& moved) {
-    deskew(points, path_before(end, steps), end, end_ns, moved);
+    deskew(points, path_before(end, path), end, end_ns, moved);
   };
   deskew_to(estimate_.state, scan.points, out.deskewed);
   bool usable = true;
@@ -120,9 +165,12 @@ ScanEstimate ScanFilter::process(const PreparedScan& scan, const ImuBuffer& imu)
       points.update_points(positions(moved));
     };
     const UpdateReport report = iterated_update(options_.filter, repeat_deskew, matcher, estimate_);
+    out.quality.num_thinned = static_cast<int>(chosen.size());
     out.quality.num_matched = report.num_matched;
     out.quality.mean_residual_m = report.mean_residual_m;
     out.quality.min_information = report.min_information;
+    out.quality.turn_innovation = report.turn_innovation;
+    out.quality.shift_innovation = report.shift_innovation;
     out.quality.flags |= report.flags;
     usable = (report.flags & (bit(ScanFlag::kUnmatched) | bit(ScanFlag::kDiverged))) == 0;
     deskew_to(estimate_.state, scan.points, out.deskewed);
@@ -139,8 +187,10 @@ ScanEstimate ScanFilter::process(const PreparedScan& scan, const ImuBuffer& imu)
   out.gyro_bias_radps = state.gyro_bias;
   out.accel_bias_mps2 = state.accel_bias;
   out.gravity_in_map = state.gravity_in_map;
-  out.gravity_sigma_rad =
-      std::sqrt(estimate_.covariance.block<2, 2>(err::kGravity, err::kGravity).trace());
+  if (model_ == MotionModel::kInertial) {
+    out.gravity_sigma_rad =
+        std::sqrt(estimate_.covariance.block<2, 2>(err::kGravity, err::kGravity).trace());
+  }
   out.imu_from_lidar = {.rotation = Eigen::Quaterniond(state.imu_from_lidar),
                         .translation = state.lidar_in_imu};
   out.covariance = estimate_.covariance.topLeftCorner<6, 6>();

@@ -33,7 +33,7 @@ struct StoredScan {
   Timestamp time{};  ///< Scan end.
   Rigid3 map_from_imu = {};
   Eigen::Vector3d gravity_in_imu = Eigen::Vector3d::Zero();
-  double gravity_sigma_rad = 0.0;
+  double gravity_sigma_rad = 0.0;  ///< 0: not measured.
   ImuIncrement since_last = {};
   Eigen::Vector3f lidar_in_imu = Eigen::Vector3f::Zero();  ///< [m]
   SpillFile::Block block = {};                             ///< Its points in the store.

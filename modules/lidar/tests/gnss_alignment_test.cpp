@@ -107,5 +107,26 @@ TEST(AlignGnss, RefusesTooFewFixes) {
   EXPECT_EQ(align(track).error().code, ErrorCode::kInsufficient);
 }
 
+TEST(AlignGnss, TellsAContradictionFromNoise) {
+  // The receiver went a straight 400 m while the trajectory went round in circles.
+  Track track = make_track(20.0, 1.5, 3);
+  for (std::size_t i = 0; i < track.fixes.size(); ++i) {
+    track.fixes[i].position =
+        geodetic_from_enu(kOrigin, Eigen::Vector3d(2.0 * static_cast<double>(i), 0.0, 0.0));
+  }
+  const auto alignment = align(track);
+  ASSERT_TRUE(alignment) << alignment.error().message;
+  EXPECT_NE(alignment->contradiction.find("contradict the trajectory"), std::string::npos);
+  // A receiver that is worse than it says is none, nor is a stretch of bad fixes.
+  Track optimistic = make_track(20.0, 1.5, 4);
+  for (GnssFix& fix : optimistic.fixes) fix.sigma_enu_m.setConstant(0.1);
+  for (std::size_t i = 0; i < optimistic.fixes.size() / 4; ++i) {
+    optimistic.fixes[i].position.latitude_deg += 3e-4;
+  }
+  const auto kept = align(optimistic);
+  ASSERT_TRUE(kept) << kept.error().message;
+  EXPECT_EQ(kept->contradiction, "");
+}
+
 }  // namespace
 }  // namespace hybridfusion

@@ -125,6 +125,22 @@ TunnelRound tunnel_round(std::uint64_t seed, double speed_mps) {
   return round;
 }
 
+DriveWorld rolling_street(std::uint64_t seed, double speed_mps) {
+  Random random(seed, "test/rolling_street");
+  // Whoever is fast goes straight on for the time of the tests; others turn at 2 m/s^2 at most.
+  constexpr double kLateralAcceleration_mps2 = 2.0;
+  const double radius_m = std::max(12.0, speed_mps * speed_mps / kLateralAcceleration_mps2);
+  const double corner_m = 45.0 + radius_m;
+  const Eigen::Vector2d corner(corner_m, 0.0);
+  const Eigen::Vector2d end(corner_m, 200.0 + radius_m);
+  DriveWorld world{.max_range_m = 60.0};
+  line_street({-60.0, 0.0}, {corner_m - 8.0, 0.0}, 7.0, random, world.boxes);
+  line_street({corner_m, 14.0}, end, 7.0, random, world.boxes);
+  const RoundedPath path({Eigen::Vector2d(0.0, 0.0), corner, end}, radius_m);
+  world.pose = [path, speed_mps](double t) { return path.pose_at(5.0 + speed_mps * t); };
+  return world;
+}
+
 DriveWorld lookalike_street(double speed_mps) {
   DriveWorld world;
   for (double x = -60.0; x < 400.0; x += 30.0) {

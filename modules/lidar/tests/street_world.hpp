@@ -44,6 +44,9 @@ struct TunnelRound {
 };
 [[nodiscard]] TunnelRound tunnel_round(std::uint64_t seed, double speed_mps);
 
+/// A street of irregular houses with one corner, driven at constant speed from the first moment on.
+[[nodiscard]] DriveWorld rolling_street(std::uint64_t seed, double speed_mps);
+
 /// A straight street on which the same three houses stand every 30 m.
 [[nodiscard]] DriveWorld lookalike_street(double speed_mps);
 

@@ -33,8 +33,8 @@ struct ModelLayout {
 Expected<CameraIntrinsics> intrinsics_of(const ColmapCamera& camera) {
   const ModelLayout* const layout = find_layout(camera.model);
   const auto refuse = [&camera](std::string_view cause) {
-    return fail(ErrorCode::kInvalidOptions,
-                fmt::format("cameras.txt: camera {} of model {} {}; give poses of one of "
+    return fail(ErrorCode::kParse,
+                fmt::format("camera {} of model {} {}; give poses of one of "
                             "SIMPLE_PINHOLE, PINHOLE, SIMPLE_RADIAL, RADIAL, OPENCV, FULL_OPENCV",
                             camera.id,
                             camera.model,

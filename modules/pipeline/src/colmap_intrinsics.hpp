@@ -9,7 +9,7 @@ namespace hybridfusion {
 inline constexpr double kColmapShift_px = 0.5;
 
 /// Intrinsics of a COLMAP camera; its pixels move by half a pixel.
-/// @returns kInvalidOptions naming the model for one with two focal lengths or further distortion.
+/// @returns kParse naming the model for one that has no counterpart here (fisheye and the like).
 [[nodiscard]] Expected<CameraIntrinsics> intrinsics_of(const ColmapCamera& camera);
 
 }  // namespace hybridfusion

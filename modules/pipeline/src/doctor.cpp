@@ -1,5 +1,6 @@
 #include "doctor_checks.hpp"
 #include "json_text.hpp"
+#include "photo_places.hpp"
 #include "recording_choice.hpp"
 
 #include <hybridfusion/core/parallel.hpp>
@@ -99,6 +100,14 @@ void check_site(const PhotoEvidence& photos,
   diagnosis.facts.push_back(fmt::format("the photos lie {:.0f} m {} the drive (median)",
                                         std::abs(above_m),
                                         above_m < 0.0 ? "below" : "above"));
+  if (!photos.take_off_altitudes_m.empty()) {
+    const double take_off_m = median_of(photos.take_off_altitudes_m) - *drive_m;
+    diagnosis.facts.push_back(
+        fmt::format("by both receivers the take-off lies {:.1f} m {} the antenna of the drive: "
+                    "where the ground is level, their heights differ by about that",
+                    std::abs(take_off_m),
+                    take_off_m < 0.0 ? "below" : "above"));
+  }
   if (above_m < -kMaxBelow_m) {
     diagnosis.findings.add("site.photos_below_street",
                            fmt::format("the photos lie {:.0f} m below the drive", -above_m));
@@ -126,7 +135,14 @@ Expected<DoctorReport> examine(const DoctorInputs& inputs,
   if (inputs.images) {
     HF_TRY(photos,
            check_photos(
-               *inputs.images, ground_altitude_m, options.vision.reconstruction, diagnosis, ctx));
+               {.images = *inputs.images, .geo_tags = inputs.geo_tags, .control = inputs.control},
+               ground_altitude_m,
+               options.vision,
+               diagnosis,
+               ctx));
+  }
+  if (!photos.weak_georeference.empty() && !inputs.bag) {
+    diagnosis.findings.add("photos.weak_georeference", photos.weak_georeference);
   }
   check_site(photos, recording, diagnosis);
   check_machine(machine_state(inputs.workspace), photos, recording, diagnosis);

@@ -8,6 +8,8 @@
 #include <hybridfusion/io/photo_folder.hpp>
 #include <hybridfusion/io/scan_source.hpp>
 #include <hybridfusion/io/sensors_yaml.hpp>
+#include <hybridfusion/pipeline/pipeline_options.hpp>
+#include <hybridfusion/pipeline/stages.hpp>
 #include <hybridfusion/vision/reconstruction_options.hpp>
 
 #include <cstdint>
@@ -36,6 +38,11 @@ struct PhotoEvidence {
   std::size_t num_photos = 0;  ///< Usable files.
   /// Of the photos that have one; the altitude is NaN where it is not known.
   std::vector<GeodeticPosition> positions = {};
+  /// Altitudes of the take-off, by the photos that know their height above it.
+  std::vector<double> take_off_altitudes_m = {};
+  /// What the run will say of scale and tilt where GNSS alone cannot tell them; empty: it can, or
+  /// ground control does.
+  std::string weak_georeference = {};
   int width_px = 0;  ///< Of the largest photo.
   int height_px = 0;
 };
@@ -50,11 +57,12 @@ struct PhotoEvidence {
                                                           Diagnosis& diagnosis,
                                                           const RunContext& ctx);
 
-/// Files, metadata, positions, overlap and pixels of a folder. @param ground_altitude_m  Height of
-/// the street where it is known, for the size of the footprints. @returns kCancelled only.
-[[nodiscard]] Expected<PhotoEvidence> check_photos(const std::filesystem::path& images,
+/// Files, metadata, positions, overlap and pixels of a folder, with geo.txt and ground control as
+/// far as they are given or lie in it. @param ground_altitude_m  Height of the street where it is
+/// known, for the size of the footprints. @returns kCancelled only.
+[[nodiscard]] Expected<PhotoEvidence> check_photos(const PhotoInputs& given,
                                                    std::optional<double> ground_altitude_m,
-                                                   const ReconstructionOptions& options,
+                                                   const VisionStageOptions& options,
                                                    Diagnosis& diagnosis,
                                                    const RunContext& ctx);
 
@@ -63,11 +71,24 @@ struct PhotoEvidence {
 
 /// Cameras, focal lengths, sizes, times.
 void check_cameras(std::span<const PhotoMetadata> photos, Diagnosis& diagnosis);
-/// Presence, repetition and sign of the positions.
+/// Presence, repetition and sign of the positions. @param num_control  Surveyed points that place
+/// the model where photos have no position.
 void check_positions(const std::filesystem::path& folder,
                      std::span<const PhotoMetadata> photos,
+                     std::size_t num_control,
                      const GnssOptions& options,
                      Diagnosis& diagnosis);
+/// Deviations of scale and tilt as the positions allow; what the run will say where they are too
+/// large for a georeference, else empty.
+[[nodiscard]] std::string weak_georeference(std::span<const PhotoMetadata> photos,
+                                            const GnssOptions& options,
+                                            Diagnosis& diagnosis);
+/// geo.txt and ground control against the photos; the tags go into the photos of the folder.
+/// @returns Number of surveyed points that can place the model.
+std::size_t check_sources(const PhotoInputs& inputs,
+                          const VisionStageOptions& options,
+                          PhotoFolder& folder,
+                          Diagnosis& diagnosis);
 /// Footprints over the ground. @pre positions fit (no photos.no_positions, .same_position)
 void check_overlap(std::span<const PhotoMetadata> photos,
                    std::optional<double> ground_altitude_m,

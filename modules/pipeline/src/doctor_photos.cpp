@@ -1,5 +1,6 @@
 #include "digest.hpp"
 #include "doctor_checks.hpp"
+#include "position_sources.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -45,6 +46,16 @@ void check_times(std::span<const PhotoMetadata> photos, Diagnosis& diagnosis) {
   diagnosis.findings.add(
       "photos.several_days",
       fmt::format("the photos span {:.1f} days", to_seconds(*last - *first) / 86400.0));
+}
+
+void report_listing(const PhotoListing& listing, Diagnosis& diagnosis) {
+  PhotoFolderNotes notes = notes_of(listing);
+  diagnosis.facts.insert(diagnosis.facts.end(), notes.facts.begin(), notes.facts.end());
+  if (notes.left_out.empty()) return;
+  diagnosis.findings.add(
+      "photos.other_formats",
+      fmt::format("{} image files are not JPEG: {}", notes.left_out.size(), listed(notes.left_out)),
+      notes.left_out);
 }
 
 }  // namespace
@@ -131,16 +142,20 @@ Expected<void> check_duplicates(const PhotoFolder& folder,
   return {};
 }
 
-Expected<PhotoEvidence> check_photos(const std::filesystem::path& images,
+Expected<PhotoEvidence> check_photos(const PhotoInputs& given,
                                      std::optional<double> ground_altitude_m,
-                                     const ReconstructionOptions& options,
+                                     const VisionStageOptions& options,
                                      Diagnosis& diagnosis,
                                      const RunContext& ctx) {
+  const PhotoInputs inputs = with_files_beside(given);
+  const std::filesystem::path& images = inputs.images;
   auto folder = open_photo_folder(images);
   if (!folder) {
     diagnosis.findings.add("photos.folder", folder.error().message);
     return PhotoEvidence{};
   }
+  report_listing(folder->listing, diagnosis);
+  const std::size_t num_control = check_sources(inputs, options, *folder, diagnosis);
   std::vector<PhotoMetadata> photos;
   PhotoEvidence evidence{.num_photos = folder->photos.size()};
   for (const Photo& photo : folder->photos) {
@@ -152,6 +167,10 @@ Expected<PhotoEvidence> check_photos(const std::filesystem::path& images,
     evidence.positions.push_back({.latitude_deg = *metadata.latitude_deg,
                                   .longitude_deg = *metadata.longitude_deg,
                                   .altitude_m = known_altitude_m(metadata).value_or(NAN)});
+    if (metadata.relative_altitude_m && known_altitude_m(metadata)) {
+      evidence.take_off_altitudes_m.push_back(*known_altitude_m(metadata) -
+                                              *metadata.relative_altitude_m);
+    }
   }
   diagnosis.facts.push_back(fmt::format("photos: {} usable of {}, largest {} x {} px",
                                         photos.size(),
@@ -160,8 +179,11 @@ Expected<PhotoEvidence> check_photos(const std::filesystem::path& images,
                                         evidence.height_px));
   check_count(photos.size(), images, diagnosis);
   check_cameras(photos, diagnosis);
-  check_positions(images, photos, options.gnss, diagnosis);
-  check_overlap(photos, ground_altitude_m, options.gnss, diagnosis);
+  check_positions(images, photos, num_control, options.reconstruction.gnss, diagnosis);
+  if (num_control < kMinPhotos) {
+    evidence.weak_georeference = weak_georeference(photos, options.reconstruction.gnss, diagnosis);
+  }
+  check_overlap(photos, ground_altitude_m, options.reconstruction.gnss, diagnosis);
   if (auto checked = check_duplicates(*folder, diagnosis, ctx); !checked) {
     return std::unexpected(checked.error());
   }

@@ -64,10 +64,29 @@ std::vector<std::string> flipped_altitudes(std::span<const PhotoMetadata> photos
   return names;
 }
 
-void check_altitudes(std::span<const PhotoMetadata> photos, Diagnosis& diagnosis) {
+/// Whether the reconstruction would take the altitude of one of these as it is; where another
+/// source tells it, or it does not fit its neighbours, the run does without.
+bool takes_altitude_of(std::span<const PhotoMetadata> photos,
+                       const std::vector<std::string>& names,
+                       const GnssOptions& options) {
+  const auto ingest = ingest_gnss(photos, options);
+  if (!ingest) return false;
+  for (std::size_t i = 0; i < photos.size(); ++i) {
+    const PhotoFix& fix = ingest->fixes[i];
+    if (!fix.position_in_enu || !fix.has_altitude) continue;
+    if (std::ranges::find(names, photos[i].name) == names.end()) continue;
+    if (geodetic_from_enu(ingest->origin, *fix.position_in_enu).altitude_m < 0.0) return true;
+  }
+  return false;
+}
+
+void check_altitudes(std::span<const PhotoMetadata> photos,
+                     const GnssOptions& options,
+                     Diagnosis& diagnosis) {
   auto flipped = flipped_altitudes(photos);
   if (!flipped.empty()) {
-    diagnosis.findings.add("photos.altitude_sign",
+    const bool spoils = takes_altitude_of(photos, flipped, options);
+    diagnosis.findings.add(spoils ? "photos.altitude_sign" : "photos.altitude_ref",
                            fmt::format("{} of {} photos are below sea level: {}",
                                        flipped.size(),
                                        photos.size(),
@@ -127,6 +146,7 @@ std::optional<double> known_altitude_m(const PhotoMetadata& photo) {
 
 void check_positions(const std::filesystem::path& folder,
                      std::span<const PhotoMetadata> photos,
+                     std::size_t num_control,
                      const GnssOptions& options,
                      Diagnosis& diagnosis) {
   std::vector<std::string> null;
@@ -145,6 +165,10 @@ void check_positions(const std::filesystem::path& folder,
   const std::string cause =
       fmt::format("{} of {} photos have a position", positioned, photos.size());
   diagnosis.facts.push_back(cause);
+  if (positioned < kMinPositions && num_control >= kMinPositions) {
+    diagnosis.facts.emplace_back("ground control places the photos");
+    return;
+  }
   if (positioned < kMinPositions) {
     diagnosis.findings.add("photos.no_positions", cause, without);
     return;
@@ -153,7 +177,7 @@ void check_positions(const std::filesystem::path& folder,
     diagnosis.findings.add(
         "photos.some_without_position", fmt::format("{}; not {}", cause, listed(without)), without);
   }
-  check_altitudes(photos, diagnosis);
+  check_altitudes(photos, options, diagnosis);
   check_ingest(photos, options, diagnosis);
 }
 

@@ -22,7 +22,9 @@ constexpr double kMaxImuGap_s = 0.05;
 constexpr double kMaxLidarGap_s = 0.35;
 constexpr double kMinTrack_m = 20.0;
 
-void check_imu(const RecordingStatistics& statistics, Diagnosis& diagnosis) {
+void check_imu(const RecordingStatistics& statistics,
+               const RecordingSummary& summary,
+               Diagnosis& diagnosis) {
   FindingList& findings = diagnosis.findings;
   const double period_s = statistics.imu.period_s();
   const double rate_hz = period_s > 0.0 ? 1.0 / period_s : 0.0;
@@ -30,8 +32,9 @@ void check_imu(const RecordingStatistics& statistics, Diagnosis& diagnosis) {
     findings.add(rate_hz < kMinImuRate_hz ? "recording.imu_too_slow" : "recording.imu_rate",
                  fmt::format("the IMU sends {:.1f} samples a second", rate_hz));
   }
+  const ImuDialect& dialect = summary.imu_dialect;
   const double force = quantile_of(statistics.force_mps2, 0.5);
-  if (force > 0.8 && force < 1.2) {
+  if (dialect.in_g || (dialect.force_median == 0.0 && force > 0.8 && force < 1.2)) {
     findings.add("recording.imu_in_g",
                  fmt::format("the acceleration is {:.3f} in the median", force));
   } else if (force < 0.7 * kGravity_mps2 || force > 1.3 * kGravity_mps2) {
@@ -40,6 +43,12 @@ void check_imu(const RecordingStatistics& statistics, Diagnosis& diagnosis) {
                              force,
                              kGravity_mps2));
   }
+  if (dialect.without_force + dialect.without_rate > 0) {
+    findings.add("recording.imu_parts",
+                 fmt::format("{} samples without acceleration, {} without angular velocity",
+                             dialect.without_force,
+                             dialect.without_rate));
+  }
   const double rotation = quantile_of(statistics.rotation_radps, 0.95);
   if (rotation > kMaxRotation_radps) {
     findings.add("recording.gyro_units",
@@ -47,7 +56,37 @@ void check_imu(const RecordingStatistics& statistics, Diagnosis& diagnosis) {
   }
 }
 
-void check_timing(const RecordingStatistics& statistics, Diagnosis& diagnosis) {
+void report_stamps(const RecordingSummary& summary, FindingList& findings) {
+  const StampFaults& imu = summary.imu_stamps;
+  const StampFaults& lidar = summary.lidar_stamps;
+  const auto displaced = [](const StampFaults& faults) { return faults.late + faults.ahead; };
+  if (displaced(imu) + displaced(lidar) > 0) {
+    findings.add("recording.stamps_back",
+                 fmt::format("{} IMU samples and {} scans are out of order by their stamps",
+                             displaced(imu),
+                             displaced(lidar)));
+  }
+  if (imu.repeated + lidar.repeated > 0) {
+    findings.add("recording.stamps_repeat",
+                 fmt::format("{} IMU samples and {} scans have the stamp of the one before",
+                             imu.repeated,
+                             lidar.repeated));
+  }
+  if (imu.missing + lidar.missing > 0) {
+    findings.add("recording.no_stamps",
+                 fmt::format("{} IMU samples and {} scans", imu.missing, lidar.missing));
+  }
+  if (imu.clock_steps + lidar.clock_steps > 0) {
+    findings.add("recording.clock_set",
+                 fmt::format("{} times by the stamps of the IMU, {} times by those of the LiDAR",
+                             imu.clock_steps,
+                             lidar.clock_steps));
+  }
+}
+
+void check_timing(const RecordingStatistics& statistics,
+                  const RecordingSummary& summary,
+                  Diagnosis& diagnosis) {
   FindingList& findings = diagnosis.findings;
   const StampStatistics& imu = statistics.imu;
   const StampStatistics& lidar = statistics.lidar;
@@ -78,12 +117,7 @@ void check_timing(const RecordingStatistics& statistics, Diagnosis& diagnosis) {
   };
   report_gaps("recording.imu_gaps", imu, kMaxImuGap_s);
   report_gaps("recording.lidar_gaps", lidar, kMaxLidarGap_s);
-  if (imu.backwards() + lidar.backwards() > 0) {
-    findings.add("recording.stamps_back",
-                 fmt::format("{} IMU samples and {} scans are older than the one before",
-                             imu.backwards(),
-                             lidar.backwards()));
-  }
+  report_stamps(summary, findings);
 }
 
 void check_scans(const RecordingStatistics& statistics,
@@ -131,24 +165,18 @@ void check_gnss(const RecordingStatistics& statistics,
   }
 }
 
-/// Whether the topics that are needed are there; says so when they are not.
-bool check_topics(const RecordingSummary& summary,
-                  const RecordingOptions& options,
-                  const Error& error,
-                  Diagnosis& diagnosis) {
-  const auto exists = [&](const std::string& asked, const std::string& detected) {
-    return !asked.empty() || !detected.empty();
-  };
-  bool complete = true;
-  if (!exists(options.lidar_topic, summary.lidar_topic)) {
-    diagnosis.findings.add("recording.no_lidar", error.message);
-    complete = false;
-  }
-  if (!exists(options.imu_topic, summary.imu_topic)) {
-    diagnosis.findings.add("recording.no_imu", error.message);
-    complete = false;
-  }
-  return complete;
+/// The finding that a recording without the topics asked for is.
+std::string_view topic_fault(const RecordingSummary& summary, const RecordingOptions& options) {
+  const bool no_lidar = options.lidar_topic.empty() && summary.lidar_topic.empty();
+  return no_lidar ? "recording.no_lidar" : "recording.wrong_topic";
+}
+
+/// The finding that an error of reading is.
+std::string_view reading_fault(const Error& error, const RecordingSummary& summary) {
+  if (summary.undecided_frames) return "recording.several_sensors";
+  if (error.code != ErrorCode::kNotFound) return "recording.unreadable";
+  return error.message.find("frame_id") != std::string::npos ? "recording.wrong_topic"
+                                                             : "recording.no_point_time";
 }
 
 Expected<RecordingStatistics> read_all(ScanSource& source,
@@ -161,9 +189,7 @@ Expected<RecordingStatistics> read_all(ScanSource& source,
     if (ctx.stopped()) return fail(ErrorCode::kCancelled, "stopped while reading the recording");
     const auto message = source.next();
     if (!message) {
-      diagnosis.findings.add(message.error().code == ErrorCode::kNotFound
-                                 ? "recording.no_point_time"
-                                 : "recording.unreadable",
+      diagnosis.findings.add(reading_fault(message.error(), source.summary()),
                              message.error().message);
       break;
     }
@@ -191,25 +217,35 @@ void report_reading(const RecordingSummary& summary,
   }
 }
 
+/// Of all files that a recording consists of.
+std::uint64_t size_of(const std::filesystem::path& bag) {
+  std::uint64_t bytes = 0;
+  const auto files = recording_files(bag);
+  if (!files) return 0;
+  for (const std::filesystem::path& file : *files) {
+    std::error_code code;
+    const std::uint64_t size = std::filesystem::file_size(file, code);
+    if (!code) bytes += size;
+  }
+  return bytes;
+}
+
 }  // namespace
 
 Expected<RecordingEvidence> check_recording(const std::filesystem::path& bag,
                                             const RecordingOptions& options,
                                             Diagnosis& diagnosis,
                                             const RunContext& ctx) {
-  std::error_code ignored;
   RecordingEvidence evidence;
   const auto inspected = inspect_recording(bag);
   if (!inspected) {
     diagnosis.findings.add("recording.unreadable", inspected.error().message);
     return evidence;
   }
-  evidence.size_bytes = std::filesystem::file_size(bag, ignored);
+  evidence.size_bytes = size_of(bag);
   auto source = open_recording(bag, options);
   if (!source) {
-    if (check_topics(*inspected, options, source.error(), diagnosis)) {
-      diagnosis.findings.add("recording.wrong_topic", source.error().message);
-    }
+    diagnosis.findings.add(topic_fault(*inspected, options), source.error().message);
     return evidence;
   }
   std::uint64_t expected_scans = 0;
@@ -219,14 +255,18 @@ Expected<RecordingEvidence> check_recording(const std::filesystem::path& bag,
   HF_TRY(RecordingStatistics statistics, read_all(**source, expected_scans, diagnosis, ctx));
   const RecordingSummary summary = (*source)->summary();
   report_reading(summary, bag, diagnosis);
-  if (statistics.lidar.count() == 0 || statistics.imu.count() == 0) {
+  if (diagnosis.findings.contains("recording.several_sensors")) return evidence;
+  if (statistics.lidar.count() == 0) {
     diagnosis.findings.add("recording.no_scans",
-                           fmt::format("{} scans on {} and {} samples on {}",
-                                       statistics.lidar.count(),
-                                       summary.lidar_topic,
-                                       statistics.imu.count(),
-                                       summary.imu_topic));
+                           fmt::format("no scan on {} can be used", summary.lidar_topic));
     return evidence;
+  }
+  const bool has_imu = statistics.imu.count() > 0;
+  if (!has_imu) {
+    diagnosis.findings.add("recording.no_imu",
+                           summary.imu_topic.empty()
+                               ? std::string("the recording has no topic of that type")
+                               : fmt::format("no sample on {} can be used", summary.imu_topic));
   }
   diagnosis.facts.push_back(
       fmt::format("{}: {} scans, {:.1f} s, {:.1f} Hz, {:.0f} returns each; point time: {}",
@@ -236,12 +276,14 @@ Expected<RecordingEvidence> check_recording(const std::filesystem::path& bag,
                   1.0 / std::max(1e-9, statistics.lidar.period_s()),
                   quantile_of(statistics.returns, 0.5),
                   summary.point_time));
-  diagnosis.facts.push_back(fmt::format("{}: {} samples, {:.1f} Hz",
-                                        summary.imu_topic,
-                                        statistics.imu.count(),
-                                        1.0 / std::max(1e-9, statistics.imu.period_s())));
-  check_timing(statistics, diagnosis);
-  check_imu(statistics, diagnosis);
+  if (has_imu) {
+    diagnosis.facts.push_back(fmt::format("{}: {} samples, {:.1f} Hz",
+                                          summary.imu_topic,
+                                          statistics.imu.count(),
+                                          1.0 / std::max(1e-9, statistics.imu.period_s())));
+    check_timing(statistics, summary, diagnosis);
+    check_imu(statistics, summary, diagnosis);
+  }
   check_scans(statistics, summary, diagnosis);
   check_gnss(statistics, summary, diagnosis);
   evidence.fixes = std::move(statistics.fixes);

@@ -1,6 +1,8 @@
 #include "finding_list.hpp"
+#include "position_finding_kinds.hpp"
 
 #include <array>
+#include <vector>
 
 namespace hybridfusion {
 namespace {
@@ -11,7 +13,11 @@ constexpr std::array kKinds = {
     FindingKind{"photos.folder",
                 kError,
                 "The photo folder cannot be used.",
-                "Give the folder that directly holds the JPEG files of the camera."},
+                "Give the folder that holds the JPEG files of the camera."},
+    FindingKind{"photos.other_formats",
+                kWarning,
+                "Image files that are no JPEG; they will be left out.",
+                "Convert them to JPEG together with their metadata, e.g. exiftool -TagsFromFile."},
     FindingKind{"photos.unreadable",
                 kWarning,
                 "Photos are empty, truncated, damaged or no JPEG; they will be left out.",
@@ -102,7 +108,8 @@ constexpr std::array kKinds = {
     FindingKind{"recording.unreadable",
                 kError,
                 "The recording cannot be read.",
-                "Give a ROS 1 bag (format 2.0); convert other formats, or copy the file again."},
+                "Give a ROS 1 bag (format 2.0), a ROS 2 bag (folder, .db3 or .mcap) or a folder of "
+                "PCD scans with imu.csv; copy a damaged file again."},
     FindingKind{"recording.truncated",
                 kWarning,
                 "The recording ends or breaks early; what precedes the break will be used.",
@@ -116,13 +123,19 @@ constexpr std::array kKinds = {
                 "No LiDAR topic (sensor_msgs/PointCloud2 or livox_ros_driver/CustomMsg).",
                 "Record the point cloud, not the packets of the driver."},
     FindingKind{"recording.no_imu",
-                kError,
-                "No IMU topic (sensor_msgs/Imu).",
-                "Record the IMU; without it the scans cannot be undistorted."},
+                kWarning,
+                "No IMU topic (sensor_msgs/Imu): motion will come from the LiDAR alone.",
+                "Record the IMU: without it fast turns and bare places lose the drive sooner, and "
+                "the map is levelled by walls and ground."},
     FindingKind{"recording.wrong_topic",
                 kError,
                 "A topic that options or sensors.yaml name does not exist or has another type.",
                 "Correct the name, or leave it out to detect the topic."},
+    FindingKind{"recording.several_sensors",
+                kError,
+                "Several sensors send on one topic; which of them to read is not said.",
+                "Choose by frame_id: lidar.recording.lidar_frame or imu_frame, or lidar_frame and "
+                "imu_frame in sensors.yaml."},
     FindingKind{"recording.no_scans",
                 kError,
                 "No message of the LiDAR or of the IMU can be used.",
@@ -149,8 +162,8 @@ constexpr std::array kKinds = {
                 "The IMU sends fewer than 90 samples a second; fast motion is lost.",
                 "Set the driver to 100 Hz or more."},
     FindingKind{"recording.imu_too_slow",
-                kError,
-                "The IMU sends fewer than 20 samples a second.",
+                kWarning,
+                "The IMU sends fewer than 20 samples a second; between them it says little.",
                 "Set the driver to 100 Hz or more."},
     FindingKind{"recording.imu_in_g",
                 kWarning,
@@ -160,6 +173,10 @@ constexpr std::array kKinds = {
                 kError,
                 "The accelerometer shows no gravity: it was removed, or the unit is another.",
                 "Record the raw acceleration in m/s^2, gravity included (9.8 at rest)."},
+    FindingKind{"recording.imu_parts",
+                kWarning,
+                "Samples of the IMU lack the acceleration or the angular velocity.",
+                "Have the driver send both in one message (RealSense: unite_imu_method 2)."},
     FindingKind{"recording.gyro_units",
                 kError,
                 "Angular velocities that no vehicle reaches: degrees instead of radians.",
@@ -178,8 +195,21 @@ constexpr std::array kKinds = {
                 "Check cable, bandwidth and load of the recorder."},
     FindingKind{"recording.stamps_back",
                 kWarning,
-                "Time stamps go back; such messages are dropped.",
+                "Time stamps go back or jump ahead; such messages are left out or put where they "
+                "belong.",
                 "Check the synchronisation; do not change the clock during a recording."},
+    FindingKind{"recording.stamps_repeat",
+                kWarning,
+                "Messages carry the stamp of the one before; they are left out.",
+                "Have the driver stamp each message by itself."},
+    FindingKind{"recording.no_stamps",
+                kWarning,
+                "Messages carry no stamp; the time of recording stands in for it.",
+                "Have the driver write the stamp of the header."},
+    FindingKind{"recording.clock_set",
+                kWarning,
+                "A clock was set while recording; the stamps after that are shifted to go on.",
+                "Synchronise the clocks before the drive, and slew instead of stepping them."},
     FindingKind{"recording.no_gnss",
                 kWarning,
                 "No GNSS: the map has no place, and the registration searches everywhere.",
@@ -241,7 +271,12 @@ constexpr std::array kKinds = {
 }  // namespace
 
 std::span<const FindingKind> finding_kinds() {
-  return kKinds;
+  static const std::vector<FindingKind> kAll = [] {
+    std::vector<FindingKind> all(kKinds.begin(), kKinds.end());
+    all.insert(all.end(), kPositionKinds.begin(), kPositionKinds.end());
+    return all;
+  }();
+  return kAll;
 }
 
 }  // namespace hybridfusion

@@ -1,9 +1,11 @@
 #include "imported_poses.hpp"
 
 #include "colmap_intrinsics.hpp"
+#include "imported_place.hpp"
+#include "position_conflicts.hpp"
 #include "workspace_data.hpp"
 
-#include <hybridfusion/core/sim3.hpp>
+#include <hybridfusion/io/photo_names.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -17,37 +19,27 @@ namespace {
 
 constexpr std::string_view kOriginFile = "origin.json";
 
-/// Model positions onto measured ones: least squares, once more without the worst.
-Expected<Sim3> align_to_fixes(const std::vector<Eigen::Vector3d>& target,
-                              const std::vector<Eigen::Vector3d>& source) {
-  HF_TRY(Sim3 first, fit_sim3(target, source));
-  std::vector<double> residuals;
-  for (std::size_t i = 0; i < target.size(); ++i) {
-    residuals.push_back((first * source[i] - target[i]).norm());
+/// The image of the model for each photo; nullptr where it has none.
+Expected<std::vector<const ColmapImage*>> images_of(const ColmapModel& model,
+                                                    std::span<const Photo> photos) {
+  std::vector<std::string> names;
+  for (const Photo& photo : photos) names.push_back(photo.metadata.name);
+  const PhotoNames index(names);
+  std::vector<const ColmapImage*> images(photos.size(), nullptr);
+  for (const ColmapImage& image : model.images) {
+    const auto photo = index.find(image.name);
+    if (!photo) continue;
+    if (images[*photo] != nullptr) {
+      return fail(ErrorCode::kParse,
+                  fmt::format("{} and {} of the model are both the photo {}; give the folder above "
+                              "the folders that the model names",
+                              images[*photo]->name,
+                              image.name,
+                              names[*photo]));
+    }
+    images[*photo] = &image;
   }
-  std::vector<double> sorted = residuals;
-  std::ranges::nth_element(sorted, sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2));
-  constexpr double kGate = 4.0;
-  const double limit = kGate * sorted[sorted.size() / 2];
-  std::vector<Eigen::Vector3d> kept_target;
-  std::vector<Eigen::Vector3d> kept_source;
-  for (std::size_t i = 0; i < target.size(); ++i) {
-    if (residuals[i] > limit) continue;
-    kept_target.push_back(target[i]);
-    kept_source.push_back(source[i]);
-  }
-  auto refined = fit_sim3(kept_target, kept_source);
-  return refined ? refined : Expected<Sim3>(first);
-}
-
-void apply(const Sim3& enu_from_model, Reconstruction& reconstruction) {
-  for (View& view : reconstruction.views) {
-    if (!view.enu_from_camera) continue;
-    view.enu_from_camera = enu_from_model.map_pose(*view.enu_from_camera);
-  }
-  for (ScenePoint& point : reconstruction.points) {
-    point.point_in_enu = enu_from_model * point.point_in_enu;
-  }
+  return images;
 }
 
 /// Views by photo; fills view_of with the index of the view of each image of the model.
@@ -56,24 +48,20 @@ Expected<void> add_views(const ColmapModel& model,
                          const std::map<std::uint32_t, std::uint32_t>& cameras,
                          Reconstruction& reconstruction,
                          std::unordered_map<std::uint32_t, std::uint32_t>& view_of) {
-  std::map<std::string, const ColmapImage*> by_name;
-  for (const ColmapImage& image : model.images) {
-    by_name[std::filesystem::path(image.name).filename().string()] = &image;
-  }
-  for (const Photo& photo : photos) {
+  HF_TRY(const std::vector<const ColmapImage*> image_of, images_of(model, photos));
+  for (std::size_t i = 0; i < photos.size(); ++i) {
+    const Photo& photo = photos[i];
     View view = {.name = photo.metadata.name};
-    const auto found = by_name.find(view.name);
-    if (found == by_name.end()) {
+    if (image_of[i] == nullptr) {
       view.reason = "not in the given poses";
       reconstruction.views.push_back(std::move(view));
       continue;
     }
-    const ColmapImage& image = *found->second;
+    const ColmapImage& image = *image_of[i];
     const auto camera = cameras.find(image.camera);
     if (camera == cameras.end()) {
       return fail(ErrorCode::kParse,
-                  fmt::format("images.txt: {} names camera {}, which cameras.txt does not have; "
-                              "export the model again",
+                  fmt::format("{} is of camera {}, which the model does not have; export it again",
                               image.name,
                               image.camera));
     }
@@ -124,124 +112,123 @@ void add_points(const ColmapModel& model,
   }
 }
 
-std::vector<PhotoMetadata> metadata_of(std::span<const Photo> photos) {
-  std::vector<PhotoMetadata> metadata;
-  for (const Photo& photo : photos) metadata.push_back(photo.metadata);
-  return metadata;
-}
-
-/// Puts the reconstruction into the plane of the photos' own positions.
-Expected<void> place_by_photos(std::span<const Photo> photos,
-                               const GnssOptions& options,
-                               Reconstruction& reconstruction) {
-  HF_TRY(const GnssIngest gnss, ingest_gnss(metadata_of(photos), options));
-  std::vector<Eigen::Vector3d> target;
-  std::vector<Eigen::Vector3d> source;
-  for (std::size_t i = 0; i < photos.size(); ++i) {
-    View& view = reconstruction.views[i];
-    view.gnss_in_enu = gnss.fixes[i].position_in_enu;
-    if (!view.enu_from_camera || !view.gnss_in_enu) continue;
-    target.push_back(*view.gnss_in_enu);
-    source.push_back(view.enu_from_camera->translation);
-  }
-  constexpr std::size_t kMinFixes = 3;
-  if (target.size() < kMinFixes) {
-    return fail(ErrorCode::kInsufficient,
-                fmt::format("{} photos of the given poses have a position, at least {} are needed "
-                            "to place the model; add origin.json if it is in metres east, north, "
-                            "up already",
-                            target.size(),
-                            kMinFixes));
-  }
-  HF_TRY(const Sim3 enu_from_model, align_to_fixes(target, source));
-  apply(enu_from_model, reconstruction);
-  reconstruction.origin = gnss.origin;
-  reconstruction.warnings = gnss.warnings;
-  return {};
-}
-
-/// Notes where GNSS saw the photos of a model that has its place already.
-void note_positions(std::span<const Photo> photos,
-                    const GnssOptions& options,
-                    Reconstruction& reconstruction) {
-  const auto gnss = ingest_gnss(metadata_of(photos), options);
-  if (!gnss) return;  // the photos know nothing of their place
-  const Rigid3 enu_from_gnss = enu_from_enu(reconstruction.origin, gnss->origin);
-  for (std::size_t i = 0; i < photos.size(); ++i) {
-    const auto& position = gnss->fixes[i].position_in_enu;
-    if (position) reconstruction.views[i].gnss_in_enu = enu_from_gnss * *position;
-  }
-}
-
-void measure_quality(Reconstruction& reconstruction) {
-  ReconstructionQuality& quality = reconstruction.quality;
-  std::vector<double> errors_px;
-  for (const ScenePoint& point : reconstruction.points) errors_px.push_back(point.mean_error_px);
-  for (const double error_px : errors_px) quality.mean_reprojection_px += error_px;
-  if (!errors_px.empty()) {
-    quality.mean_reprojection_px /= static_cast<double>(errors_px.size());
-    const auto middle = errors_px.begin() + static_cast<std::ptrdiff_t>(errors_px.size() / 2);
-    std::ranges::nth_element(errors_px, middle);
-    quality.median_reprojection_px = *middle;
-  }
-  double horizontal = 0.0;
-  double vertical = 0.0;
-  double count = 0.0;
-  for (const View& view : reconstruction.views) {
-    if (!view.enu_from_camera || !view.gnss_in_enu) continue;
-    const Eigen::Vector3d gap = view.enu_from_camera->translation - *view.gnss_in_enu;
-    horizontal += gap.head<2>().squaredNorm();
-    vertical += gap.z() * gap.z();
-    count += 1.0;
-  }
-  if (count > 0.0) {
-    quality.gnss_horizontal_rms_m = std::sqrt(horizontal / count);
-    quality.gnss_vertical_rms_m = std::sqrt(vertical / count);
+/// Photos, and their observations, of cameras whose lens the reconstruction cannot hold.
+void undistort(PosedPhotos& imported) {
+  for (std::size_t i = 0; i < imported.photos.size(); ++i) {
+    View& view = imported.reconstruction.views[i];
+    const auto given = imported.given.find(view.camera);
+    if (!view.enu_from_camera || given == imported.given.end()) continue;
+    const GivenCamera& camera = given->second;
+    const CameraIntrinsics& target = imported.reconstruction.cameras[view.camera];
+    for (Observation& observation : view.observations) {
+      const Eigen::Vector2d normalized = camera.normalized_of(observation.pixel.cast<double>());
+      observation.pixel = project(target, normalized.homogeneous()).cast<float>();
+    }
+    imported.photos[i].load =
+        [load = imported.photos[i].load, camera, target]() -> Expected<Image8> {
+      HF_TRY(const Image8 photo, load());
+      return undistorted_image(photo, camera, target);
+    };
   }
 }
 
 }  // namespace
 
 std::vector<std::filesystem::path> pose_files(const std::filesystem::path& folder) {
-  std::vector<std::filesystem::path> files = {
-      folder / "cameras.txt", folder / "images.txt", folder / "points3D.txt"};
+  std::vector<std::filesystem::path> files = colmap_files(folder);
   std::error_code code;
   if (std::filesystem::exists(folder / kOriginFile, code)) files.push_back(folder / kOriginFile);
   return files;
 }
 
-Expected<Reconstruction> import_poses(const std::filesystem::path& folder,
-                                      std::span<const Photo> photos,
-                                      const GnssOptions& options) {
+ColmapModel model_as_given(const PosedPhotos& poses, ColmapModel model) {
+  for (const auto& [index, camera] : poses.given) {
+    const CameraIntrinsics& undistorted = poses.reconstruction.cameras[index];
+    ColmapCamera& stored = model.cameras[index];
+    const auto& k = camera.k;
+    stored.model = "FULL_OPENCV";
+    stored.params = {camera.focal_px.x(),
+                     camera.focal_px.y(),
+                     camera.principal_point_px.x() + kColmapShift_px,
+                     camera.principal_point_px.y() + kColmapShift_px};
+    stored.params.insert(stored.params.end(),
+                         {k[0], k[1], camera.p[0], camera.p[1], k[2], k[3], k[4], k[5]});
+    for (ColmapImage& image : model.images) {
+      if (image.camera != stored.id) continue;
+      for (ColmapPoint2D& point : image.points) {
+        const Eigen::Vector2d pixel = point.pixel.array() - kColmapShift_px;
+        point.pixel = camera.pixel_of(unproject(undistorted, pixel)).array() + kColmapShift_px;
+      }
+    }
+  }
+  return model;
+}
+
+Expected<PosedPhotos> import_poses(const std::filesystem::path& folder,
+                                   std::span<const Photo> photos,
+                                   const PositionLimits& limits) {
   HF_TRY(const ColmapModel model, read_colmap_model(folder));
-  Reconstruction reconstruction;
+  PosedPhotos imported{.photos = {photos.begin(), photos.end()}};
+  Reconstruction& reconstruction = imported.reconstruction;
   std::map<std::uint32_t, std::uint32_t> cameras;
   for (const ColmapCamera& camera : model.cameras) {
-    HF_TRY(const CameraIntrinsics intrinsics, intrinsics_of(camera));
-    cameras[camera.id] = static_cast<std::uint32_t>(reconstruction.cameras.size());
-    reconstruction.cameras.push_back(intrinsics);
+    const auto index = static_cast<std::uint32_t>(reconstruction.cameras.size());
+    auto intrinsics = intrinsics_of(camera);
+    if (!intrinsics) {
+      const auto given = given_camera(camera);
+      if (!given) {
+        return std::unexpected(std::move(intrinsics.error()).with_context(folder.string()));
+      }
+      imported.given[index] = *given;
+      intrinsics = undistorted_intrinsics(*given);
+    }
+    cameras[camera.id] = index;
+    reconstruction.cameras.push_back(*intrinsics);
   }
   std::unordered_map<std::uint32_t, std::uint32_t> view_of;
   auto added = add_views(model, photos, cameras, reconstruction, view_of);
   if (!added) return std::unexpected(std::move(added.error()).with_context(folder.string()));
-  if (view_of.empty()) {
+  if (view_of.empty() && model.images.empty()) {
     return fail(ErrorCode::kParse,
-                fmt::format("{}: images.txt names none of the photos; give the poses of these "
-                            "photos",
-                            folder.string()));
+                fmt::format("{}: the model holds no images; export it again, as a binary model "
+                            "(cameras.bin, images.bin, points3D.bin) or as a text model",
+                            colmap_files(folder)[1].string()));
+  }
+  if (view_of.empty()) {
+    return fail(
+        ErrorCode::kParse,
+        fmt::format(
+            "{}: none of its {} images is one of the photos, the first is {}; give the poses of "
+            "these photos",
+            colmap_files(folder)[1].string(),
+            model.images.size(),
+            model.images[0].name));
   }
   add_points(model, view_of, reconstruction);
+  undistort(imported);
+  if (reconstruction.points.empty()) {
+    return fail(ErrorCode::kInsufficient,
+                fmt::format("{}: it holds no points, which tell the dense matching how far the "
+                            "scene is; export them too, or make them with colmap "
+                            "point_triangulator",
+                            colmap_files(folder)[2].string()));
+  }
   std::error_code code;
+  std::string placed_by = folder.string() + ", fitted to all photos as well as it can be,";
   if (std::filesystem::exists(folder / kOriginFile, code)) {
     HF_TRY(reconstruction.origin, read_origin(folder / kOriginFile));
-    note_positions(photos, options, reconstruction);
-  } else if (auto placed = place_by_photos(photos, options, reconstruction); !placed) {
+    note_positions(photos, limits.gnss, reconstruction);
+    placed_by = (folder / kOriginFile).string();
+  } else if (auto placed = place_by_photos(photos, limits.gnss, reconstruction); !placed) {
     return std::unexpected(placed.error());
+  }
+  if (auto judged = judge_place(placed_by, limits, reconstruction); !judged) {
+    return std::unexpected(judged.error());
   }
   reconstruction.quality.initial_focal_px =
       reconstruction.cameras.empty() ? 0.0 : reconstruction.cameras.front().focal_px;
   measure_quality(reconstruction);
-  return reconstruction;
+  return imported;
 }
 
 }  // namespace hybridfusion

@@ -1,4 +1,5 @@
 #include "json_text.hpp"
+#include "map_summary.hpp"
 #include "recording_setup.hpp"
 #include "stage_runner.hpp"
 #include "workspace_data.hpp"
@@ -70,94 +71,6 @@ Expected<void> write_map_files(const Workspace& workspace, const MappingResult& 
   return write_file_atomically(workspace.path(workspace_file::kQuality), csv);
 }
 
-double path_length_m(const Trajectory& trajectory) {
-  double length_m = 0.0;
-  for (std::size_t i = 1; i < trajectory.poses.size(); ++i) {
-    length_m += (trajectory.poses[i].map_from_body.translation -
-                 trajectory.poses[i - 1].map_from_body.translation)
-                    .norm();
-  }
-  return length_m;
-}
-
-struct Residuals {
-  std::ptrdiff_t num_flagged = 0;
-  double mean_m = 0.0;
-};
-
-Residuals residuals_of(const std::vector<ScanQuality>& quality) {
-  Residuals residuals{.num_flagged = std::ranges::count_if(
-                          quality, [](const ScanQuality& scan) { return scan.flags != 0; })};
-  for (const ScanQuality& scan : quality) residuals.mean_m += scan.mean_residual_m;
-  residuals.mean_m /= std::max<double>(1.0, static_cast<double>(quality.size()));
-  return residuals;
-}
-
-Json json_of(const MappingResult& mapping, const RecordingSummary& recording, const Json& gnss) {
-  const Residuals residuals = residuals_of(mapping.quality);
-  return {{"recording_format", recording.format},
-          {"recording_truncated", recording.truncated},
-          {"lidar_topic", recording.lidar_topic},
-          {"imu_topic", recording.imu_topic},
-          {"gnss_topic", recording.gnss_topic},
-          {"point_time", recording.point_time},
-          {"num_scans", mapping.trajectory.poses.size()},
-          {"num_flagged_scans", residuals.num_flagged},
-          {"num_unmatched_scans", mapping.odometry.num_unmatched_scans},
-          {"num_degenerate_scans", mapping.odometry.num_degenerate_scans},
-          {"num_imu_gaps", mapping.odometry.num_imu_gaps},
-          {"num_lidar_gaps", mapping.odometry.num_lidar_gaps},
-          {"longest_blind_s", mapping.longest_blind_s},
-          {"num_damaged_messages", recording.num_damaged_messages},
-          {"path_m", path_length_m(mapping.trajectory)},
-          {"mean_residual_m", residuals.mean_m},
-          {"num_map_points", mapping.num_map_points},
-          {"num_loops", mapping.num_loops},
-          {"loops_applied", mapping.loops_applied},
-          {"max_loop_error_m", mapping.max_loop_error_m},
-          {"refine_iterations", mapping.refine_iterations},
-          {"refine_rms_before_m", mapping.refine_rms_before_m},
-          {"refine_rms_after_m", mapping.refine_rms_after_m},
-          {"gnss", gnss},
-          {"warnings", mapping.warnings}};
-}
-
-StageResult describe(const MappingResult& mapping,
-                     const RecordingSummary& recording,
-                     const Json& gnss) {
-  const Residuals residuals = residuals_of(mapping.quality);
-  StageResult result{.refused = !mapping.reliable,
-                     .json = to_text(json_of(mapping, recording, gnss))};
-  result.summary = {fmt::format("{} scans located over {:.0f} m, {} flagged, residual {:.3f} m",
-                                mapping.trajectory.poses.size(),
-                                path_length_m(mapping.trajectory),
-                                residuals.num_flagged,
-                                residuals.mean_m),
-                    fmt::format("{} map points", mapping.num_map_points)};
-  if (mapping.num_loops > 0) {
-    result.summary.push_back(
-        fmt::format("{} places passed twice agree; odometry alone left them open by up to {:.2f} m",
-                    mapping.num_loops,
-                    mapping.max_loop_error_m));
-  }
-  if (!mapping.reliable) {
-    result.summary.push_back(fmt::format(
-        "not reliable: {:.1f} s without a scan located by its points", mapping.longest_blind_s));
-  }
-  if (recording.truncated) {
-    result.summary.push_back("the recording is cut off; what precedes the cut was used");
-  }
-  result.summary.push_back(
-      gnss.contains("enu_from_map")
-          ? fmt::format("GNSS residuals {:.2f} m horizontal, {:.2f} m vertical (rms), heading to "
-                        "{:.2f} deg",
-                        gnss["horizontal_rms_m"].get<double>(),
-                        gnss["vertical_rms_m"].get<double>(),
-                        gnss["heading_sigma_deg"].get<double>())
-          : "no georeference: " + gnss.value("reason", "no GNSS"));
-  return result;
-}
-
 /// The plane in which the drive is placed: that of the photos when they have one, so that both
 /// clouds share it; else the plane at the first usable fix.
 Expected<GeodeticOrigin> enu_origin(const Workspace& workspace, const std::vector<GnssFix>& fixes) {
@@ -219,6 +132,10 @@ Expected<Json> place_by_gnss(const Workspace& workspace,
     ctx.warn("the map is not georeferenced: " + alignment.error().message);
     return Json{{"reason", alignment.error().message}};
   }
+  if (!alignment->contradiction.empty()) {
+    ctx.warn("the map is not georeferenced: " + alignment->contradiction);
+    return Json{{"reason", alignment->contradiction}, {"contradicts", true}};
+  }
   Json json = gnss_json(*alignment, *origin);
   if (auto written = write_file_atomically(workspace.path(workspace_file::kGnss), to_text(json));
       !written) {
@@ -228,6 +145,20 @@ Expected<Json> place_by_gnss(const Workspace& workspace,
   return json;
 }
 
+std::unexpected<Error> no_imu(const std::filesystem::path& bag, const RecordingSummary& recording) {
+  std::string topics;
+  for (const RecordingTopic& topic : recording.topics) {
+    topics += fmt::format("{}{} ({})", topics.empty() ? "" : ", ", topic.name, topic.type);
+  }
+  return fail(
+      ErrorCode::kNotFound,
+      fmt::format("{}: no IMU (sensor_msgs/Imu), which lidar.imu=required asks for; topics: "
+                  "{}; record the IMU, or map from the LiDAR alone with --set "
+                  "lidar.imu=auto",
+                  bag.string(),
+                  topics));
+}
+
 Expected<StageResult> map_into(Project& project,
                                const std::filesystem::path& bag,
                                const RecordingSetup& setup,
@@ -235,9 +166,16 @@ Expected<StageResult> map_into(Project& project,
   const Workspace& workspace = project.workspace;
   const LidarStageOptions& options = project.options.lidar;
   HF_TRY(const std::unique_ptr<ScanSource> source, open_recording(bag, setup.recording, ctx));
+  LidarRig rig = setup.rig;
+  if (source->summary().imu_topic.empty()) {
+    if (options.imu == "required") return no_imu(bag, source->summary());
+    rig.imu_use = ImuUse::kNone;
+  }
   if (auto made = workspace.make_folder("lidar"); !made) return std::unexpected(made.error());
-  HF_TRY(const MappingResult mapping,
-         map_recording(*source, setup.odometry, setup.rig, workspace, ctx));
+  HF_TRY(const MappingResult mapping, map_recording(*source, setup.odometry, rig, workspace, ctx));
+  if (options.imu == "required" && mapping.odometry.num_imu_samples == 0) {
+    return no_imu(bag, source->summary());
+  }
   const RecordingSummary recording = source->summary();
   for (const std::string& warning : recording.warnings) {
     ctx.warn(fmt::format("{}: {}", bag.string(), warning));
@@ -252,7 +190,7 @@ Expected<StageResult> map_into(Project& project,
   if (auto written = write_map_files(workspace, mapping); !written) {
     return std::unexpected(written.error());
   }
-  return describe(mapping, recording, gnss);
+  return map_summary(mapping, recording, gnss);
 }
 
 }  // namespace

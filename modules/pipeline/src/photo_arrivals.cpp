@@ -5,42 +5,21 @@
 #include <hybridfusion/io/photo_folder.hpp>
 
 #include <algorithm>
-#include <cctype>
 #include <utility>
 
 #include <fmt/format.h>
 
 namespace hybridfusion {
-namespace {
-
-bool is_jpeg_name(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  std::ranges::transform(
-      extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
-  return extension == ".jpg" || extension == ".jpeg";
-}
-
-}  // namespace
 
 PhotoArrivals::PhotoArrivals(std::filesystem::path folder, double settle_s, double give_up_s)
     : folder_(std::move(folder)), settle_(settle_s), give_up_(give_up_s) {}
 
 Expected<std::vector<std::filesystem::path>> PhotoArrivals::list() const {
-  std::error_code error;
-  std::filesystem::directory_iterator entry(folder_, error);
-  if (error) {
-    const bool missing = error == std::errc::no_such_file_or_directory;
-    return fail(missing ? ErrorCode::kNotFound : ErrorCode::kIo,
-                fmt::format("{}: {}; give the folder that photos arrive in",
-                            folder_.string(),
-                            missing ? "no such folder" : error.message()));
-  }
+  HF_TRY(const PhotoListing listing, list_photos(folder_));
   std::vector<std::filesystem::path> paths;
-  for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
+  for (const std::string& name : listing.photos) {
     std::error_code ignored;
-    if (is_jpeg_name(entry->path()) && entry->is_regular_file(ignored)) {
-      paths.push_back(entry->path());
-    }
+    if (std::filesystem::is_regular_file(folder_ / name, ignored)) paths.push_back(folder_ / name);
   }
   return paths;
 }
@@ -50,7 +29,8 @@ void PhotoArrivals::settle(const std::filesystem::path& path,
                            Clock::time_point now,
                            std::vector<PhotoArrival>& arrived) {
   File& file = files_[path];
-  PhotoArrival arrival{.path = path, .seen = file.since};
+  PhotoArrival arrival{
+      .path = path, .name = path.lexically_relative(folder_).generic_string(), .seen = file.since};
   auto photo = open_photo(path);
   auto sha256 =
       photo ? sha256_of_file(path) : Expected<std::string>(std::unexpected(photo.error()));
@@ -64,10 +44,10 @@ void PhotoArrivals::settle(const std::filesystem::path& path,
   file.done = true;
   file.arrived = true;
   arrival.sha256 = *std::move(sha256);
-  const std::string name = path.filename().string();
-  const auto [former, is_new] = name_of_content_.try_emplace(arrival.sha256, name);
+  const auto [former, is_new] = name_of_content_.try_emplace(arrival.sha256, arrival.name);
   if (is_new) {
     arrival.photo = *std::move(photo);
+    arrival.photo->metadata.name = arrival.name;
   } else {
     arrival.reason = fmt::format("the same photo as {}", former->second);
   }

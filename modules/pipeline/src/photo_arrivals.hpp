@@ -16,6 +16,7 @@ namespace hybridfusion {
 /// A file that came to rest.
 struct PhotoArrival {
   std::filesystem::path path = {};
+  std::string name = {};  ///< Below the folder, as PhotoMetadata::name.
   std::string sha256 = {};
   std::optional<Photo> photo = {};                  ///< Empty: not usable.
   std::string reason = {};                          ///< Then: why.

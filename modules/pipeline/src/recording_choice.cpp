@@ -12,6 +12,8 @@ RecordingOptions recording_options(const RecordingOptions& options, const Sensor
   fill(result.lidar_topic, sensors.lidar_topic);
   fill(result.imu_topic, sensors.imu_topic);
   fill(result.gnss_topic, sensors.gnss_topic);
+  fill(result.lidar_frame, sensors.lidar_frame);
+  fill(result.imu_frame, sensors.imu_frame);
   fill(result.point_time_field, sensors.point_time_field);
   fill(result.point_time_unit, sensors.point_time_unit);
   return result;

@@ -34,6 +34,10 @@ Expected<RecordingSetup> recording_setup(const Project& project,
     setup.recording.scratch_folder = project.workspace.root().string();
   }
   setup.rig = rig_of(setup.sensors);
+  if (options.imu == "none") {
+    setup.recording.imu_topic = "none";
+    setup.rig.imu_use = ImuUse::kNone;
+  }
   if (setup.odometry.imu_time_offset_s == 0.0) {
     setup.odometry.imu_time_offset_s = setup.sensors.imu_time_offset_s.value_or(0.0);
   }

@@ -1,6 +1,7 @@
 #include "coarse_pose.hpp"
 #include "companion_files.hpp"
 #include "fuse_registered.hpp"
+#include "gnss_difference.hpp"
 #include "json_text.hpp"
 #include "registration_json.hpp"
 #include "stage_runner.hpp"
@@ -55,8 +56,13 @@ Expected<StageResult> register_into(Project& project,
   options.max_yaw_rad = coarse.max_yaw_rad;
   ctx.info("coarse pose: " + coarse.source);
   const auto start = std::chrono::steady_clock::now();
-  HF_TRY(const RegistrationResult result,
-         registered_or_refused(vision, lidar, known, options, ctx));
+  const double max_sigma = project.options.vision.max_conflict_sigma;
+  RegistrationResult result{.status = RegistrationStatus::kRefused, .method = options.method};
+  if (const auto apart = sites_apart(vision, lidar, coarse, max_sigma)) {
+    result.reason = *apart;
+  } else {
+    HF_TRY(result, registered_or_refused(vision, lidar, known, options, ctx));
+  }
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   Json json = registration_json(result);
   json["seconds"] = seconds.count();

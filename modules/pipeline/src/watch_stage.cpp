@@ -95,10 +95,10 @@ void Watch::tag(Photo& photo) {
   const std::filesystem::path beside = request_.inputs.images / "geo.txt";
   const std::filesystem::path path = request_.inputs.geo_tags.value_or(beside);
   if (!std::filesystem::is_regular_file(path, ignored)) return;
-  if (const auto tags = read_geo_tags(path)) {
-    apply_geo_tags(*tags, {&photo, 1});
+  if (const auto file = read_geo_tags(path)) {
+    (void)apply_geo_tags(file->tags, {&photo, 1});
   } else {
-    ctx_.warn(tags.error().message);
+    ctx_.warn(file.error().message);
   }
 }
 
@@ -120,8 +120,7 @@ void Watch::start_preparing() {
 }
 
 Expected<void> Watch::work_off(Pending& pending) {
-  WatchedPhoto photo{.name = pending.arrival.path.filename().string(),
-                     .reason = pending.arrival.reason};
+  WatchedPhoto photo{.name = pending.arrival.name, .reason = pending.arrival.reason};
   if (pending.prepared.valid()) {
     const PreparedPhoto prepared = pending.prepared.get();
     HF_TRY(const PhotoUpdate update, stream_.add(prepared, ctx_));

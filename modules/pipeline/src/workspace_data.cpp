@@ -69,7 +69,19 @@ Expected<void> write_origin(const std::filesystem::path& path, const GeodeticOri
 }
 
 Expected<GeodeticOrigin> read_origin(const std::filesystem::path& path) {
-  return parsed(path, origin_of);
+  HF_TRY(const GeodeticOrigin origin, parsed(path, origin_of));
+  const bool on_earth = std::abs(origin.latitude_deg) <= 90.0 &&
+                        std::abs(origin.longitude_deg) <= 360.0 && std::isfinite(origin.altitude_m);
+  if (!on_earth) {
+    return fail(ErrorCode::kParse,
+                fmt::format("{}: latitude {}, longitude {}, altitude {} is no place on Earth; give "
+                            "degrees and metres",
+                            path.string(),
+                            origin.latitude_deg,
+                            origin.longitude_deg,
+                            origin.altitude_m));
+  }
+  return origin;
 }
 
 Expected<MapGeoreference> read_map_georeference(const std::filesystem::path& path) {

@@ -36,6 +36,7 @@ struct PhotoSpec {
   std::optional<double> altitude_m = 600.0;
   int altitude_ref = 0;
   std::optional<double> relative_altitude_m = 80.0;
+  bool rtk = true;  ///< Else the accuracy of a code receiver is assumed.
   std::optional<int> focal_35mm = 28;
   int exif_width = 160;
   std::string model = "Camera";
@@ -129,10 +130,15 @@ inline void write_photo(const std::filesystem::path& folder, const PhotoSpec& ph
                 "\xff\xe1" +
                     bytes_of(static_cast<std::uint16_t>(data.size() + 2), std::endian::big) + data);
   };
+  std::string xmp;
   if (photo.relative_altitude_m) {
-    insert(std::string("http://ns.adobe.com/xap/1.0/\0", 29) +
-           fmt::format(R"(<x drone-dji:RelativeAltitude="{:.2f}"/>)", *photo.relative_altitude_m));
+    xmp += fmt::format(R"( drone-dji:RelativeAltitude="{:.2f}")", *photo.relative_altitude_m);
   }
+  if (photo.rtk) {
+    xmp += R"( drone-dji:RtkFlag="50" drone-dji:RtkStdLon="0.02" drone-dji:RtkStdLat="0.02")"
+           R"( drone-dji:RtkStdHgt="0.04")";
+  }
+  if (!xmp.empty()) insert(std::string("http://ns.adobe.com/xap/1.0/\0", 29) + "<x" + xmp + "/>");
   insert(std::string("Exif\0\0", 6) + exif_of(photo));
   std::ofstream(path, std::ios::binary) << jpeg;
 }
@@ -151,6 +157,7 @@ struct DriveSpec {
   double unit_per_m = 1.0;
   int points = 300;
   bool point_time = true;
+  std::vector<std::string> imu_frames = {"imu"};  ///< In turn.
   std::int8_t fix_status = 0;
   /// False: the message at this time [s] of this topic is left out.
   std::function<bool(const std::string& topic, double time_s)> keep = {};
@@ -187,8 +194,9 @@ struct DriveSpec {
       const double time_s = i / rate_hz;
       if (drive.keep && !drive.keep(topic, time_s)) continue;
       const double late_s = drive.late ? drive.late(topic, time_s) : 0.0;
-      const auto recorded = static_cast<std::int64_t>(1e18 + 1e9 * time_s);
-      std::string bytes = message(recorded + static_cast<std::int64_t>(1e9 * late_s), time_s);
+      constexpr std::int64_t kBegin_ns = 1'000'000'000'000'000'000;
+      const std::int64_t recorded = kBegin_ns + std::llround(1e9 * time_s);
+      std::string bytes = message(recorded + std::llround(1e9 * late_s), time_s);
       if (drive.cut && drive.cut(topic, time_s)) bytes.resize(bytes.size() / 2);
       bag.add_message(connection, recorded, bytes);
     }
@@ -201,8 +209,10 @@ struct DriveSpec {
   }
   if (drive.imu) {
     const auto shift_ns = static_cast<std::int64_t>(1e9 * drive.imu_shift_s);
+    std::size_t sent = 0;
     add_all("/imu", "sensor_msgs/Imu", drive.imu_rate_hz, [&](std::int64_t stamp_ns, double) {
-      return imu_message(stamp_ns + shift_ns, drive.gyro_x, drive.accel_z);
+      const std::string& frame = drive.imu_frames[sent++ % drive.imu_frames.size()];
+      return imu_message(stamp_ns + shift_ns, drive.gyro_x, drive.accel_z, frame);
     });
   }
   if (drive.gnss) {

@@ -101,8 +101,10 @@ TEST_F(DoctorPhotos, FlippedAltitudesAreNamed) {
   photos[2].altitude_ref = photos[7].altitude_ref = 1;
   write_flight(photos);
   const DoctorReport report = report_of({.images = images()});
-  EXPECT_THAT(finding(report, "photos.altitude_sign").subjects,
+  // The reconstruction sees that these two do not fit their neighbours and does without.
+  EXPECT_THAT(finding(report, "photos.altitude_ref").subjects,
               ElementsAre("IMG_02.JPG", "IMG_07.JPG"));
+  EXPECT_FALSE(report.has_errors());
 }
 
 TEST_F(DoctorPhotos, AFlightBelowEveryShoreHasItsSignWrong) {
@@ -198,6 +200,68 @@ TEST_F(DoctorPhotos, PhotosOfTwoSeasonsAreAWarning) {
   auto photos = healthy_flight();
   photos.back().time = "2026:11:01 10:00:00";
   EXPECT_THAT(findings_of(photos), ElementsAre("photos.several_days"));
+}
+
+TEST_F(DoctorPhotos, ASmallBlockOfCodeReceiversIsToldWhatTheReportWillSay) {
+  auto photos = healthy_flight();
+  for (PhotoSpec& photo : photos) photo.rtk = false;
+  EXPECT_THAT(findings_of(photos), ElementsAre("photos.weak_georeference"));
+  // Not where geo.txt knows the places to centimetres.
+  std::string text = "EPSG:4326\n";
+  for (const PhotoSpec& photo : photos) {
+    text += fmt::format("{} {:.9f} {:.9f} {:.2f} 0 0 0 0.02 0.03\n",
+                        photo.name,
+                        photo.longitude_deg,
+                        *photo.latitude_deg,
+                        *photo.altitude_m);
+  }
+  (void)folder_.file("images/geo.txt", text);
+  EXPECT_THAT(ids_of(report_of({.images = images()})), IsEmpty());
+}
+
+TEST_F(DoctorPhotos, TheFilesOfPositionsAreReadAndComparedWithThePhotos) {
+  const auto photos = healthy_flight();
+  write_flight(photos);
+  std::string swapped = "EPSG:4326\n";
+  for (const PhotoSpec& photo : photos) {
+    swapped +=
+        fmt::format("{} {:.9f} {:.9f} 600\n", photo.name, *photo.latitude_deg, photo.longitude_deg);
+  }
+  const DoctorReport geo =
+      report_of({.images = images(), .geo_tags = folder_.file("tags.txt", swapped)});
+  EXPECT_THAT(finding(geo, "positions.contradict").cause,
+              ::testing::HasSubstr("latitude and longitude swapped"));
+  EXPECT_TRUE(geo.has_errors());
+  (void)folder_.file("images/gcp_list.txt", "EPSG:4326\n11.5 49.15 520 10 10 IMG_00.JPG p\n");
+  EXPECT_THAT(ids_of(report_of({.images = images()})), Contains("control.far"));
+  (void)folder_.file("images/gcp_list.txt", "my system\n11.5 48.15 520 10 10 IMG_00.JPG p\n");
+  EXPECT_THAT(ids_of(report_of({.images = images()})), ElementsAre("positions.unreadable"));
+  (void)folder_.file("images/gcp_list.txt", "EPSG:4326\n11.5 48.15 520 10 10 OTHER.JPG p\n");
+  EXPECT_THAT(ids_of(report_of({.images = images()})), ElementsAre("control.no_photos"));
+}
+
+TEST_F(DoctorPhotos, PhotosWithoutPositionAreNoErrorWhereControlPlacesThem) {
+  auto photos = healthy_flight();
+  for (PhotoSpec& photo : photos) photo.latitude_deg.reset();
+  write_flight(photos);
+  std::string text = "EPSG:4326\n";
+  for (int p = 0; p < 3; ++p) {
+    for (int i = 0; i < 2; ++i) {
+      text += fmt::format("{:.6f} 48.15 520 10 10 IMG_0{}.JPG p{}\n", 11.5 + 1e-4 * p, i, p);
+    }
+  }
+  (void)folder_.file("images/gcp_list.txt", text);
+  EXPECT_THAT(ids_of(report_of({.images = images()})), IsEmpty());
+}
+
+TEST_F(DoctorPhotos, SubfoldersAndOtherFormatsAreTold) {
+  write_flight(healthy_flight());
+  std::filesystem::create_directories(images() / "101MEDIA");
+  std::filesystem::rename(images() / "IMG_11.JPG", images() / "101MEDIA/IMG_11.JPG");
+  (void)folder_.file("images/IMG_20.png", "x");
+  const DoctorReport report = report_of({.images = images()});
+  EXPECT_THAT(ids_of(report), ElementsAre("photos.other_formats"));
+  EXPECT_THAT(report.facts, Contains(::testing::HasSubstr("101MEDIA (1)")));
 }
 
 TEST(Sharpness, FallsWithBlur) {

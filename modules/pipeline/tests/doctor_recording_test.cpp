@@ -65,6 +65,18 @@ TEST_F(DoctorRecording, ATopicThatDoesNotExistIsToldWithThoseThatDo) {
   EXPECT_THAT(ids_of(report), ElementsAre("recording.wrong_topic"));
 }
 
+TEST_F(DoctorRecording, SeveralImusOnOneTopicAreToldWithTheirFrames) {
+  const DriveSpec drive{.imu_frames = {"imu", "imu_rear"}};
+  write_drive(drive);
+  DoctorReport report = report_of({.bag = bag()});
+  ASSERT_THAT(ids_of(report), ElementsAre("recording.several_sensors"));
+  EXPECT_THAT(report.findings[0].cause, HasSubstr("'imu_rear' (800 messages)"));
+  options_.lidar.recording.imu_frame = "imu";
+  EXPECT_THAT(ids_of(report_of({.bag = bag()})), IsEmpty());
+  options_.lidar.recording.imu_frame = "imu_front";
+  EXPECT_THAT(ids_of(report_of({.bag = bag()})), Contains("recording.wrong_topic"));
+}
+
 TEST_F(DoctorRecording, PointsWithoutTimeAreAWarning) {
   EXPECT_THAT(findings_of({.point_time = false}), ElementsAre("recording.no_point_time"));
 }
@@ -107,6 +119,20 @@ TEST_F(DoctorRecording, StampsThatGoBackAreCounted) {
   EXPECT_THAT(report.findings[0].cause, HasSubstr("1 IMU samples and 0 scans"));
 }
 
+TEST_F(DoctorRecording, StampsThatRepeatLackOrStepAreTold) {
+  const auto imu_at = [](double begin_s, double end_s, auto late_s) {
+    return DriveSpec{.late = [=](const std::string& topic, double time_s) {
+      return topic == "/imu" && time_s >= begin_s && time_s < end_s ? late_s(time_s) : 0.0;
+    }};
+  };
+  EXPECT_THAT(findings_of(imu_at(4.0, 4.001, [](double) { return -0.005; })),
+              ElementsAre("recording.stamps_repeat"));
+  EXPECT_THAT(findings_of(imu_at(4.0, 4.001, [](double time_s) { return -1e9 - time_s; })),
+              ElementsAre("recording.no_stamps"));
+  EXPECT_THAT(findings_of(imu_at(4.0, 9.0, [](double) { return -3.0; })),
+              ElementsAre("recording.clock_set"));
+}
+
 TEST_F(DoctorRecording, AShortOneIsAWarning) {
   const DriveSpec drive{.keep = [](const std::string&, double time_s) { return time_s < 4.0; }};
   EXPECT_THAT(findings_of(drive), ElementsAre("recording.short"));
@@ -122,11 +148,14 @@ TEST_F(DoctorRecording, AGnssWithoutFixOrMotionIsAWarning) {
   EXPECT_THAT(findings_of({.speed_mps = 0.0}), ElementsAre("recording.no_motion"));
 }
 
-TEST_F(DoctorRecording, TopicsWithoutMessagesOfUseAreAnError) {
-  const DriveSpec drive{.keep = [](const std::string& topic, double time_s) {
-    return topic != "/imu" || time_s < 0.0;
-  }};
-  EXPECT_THAT(findings_of(drive), ElementsAre("recording.no_scans"));
+TEST_F(DoctorRecording, TopicsWithoutMessagesAreTold) {
+  const auto without = [](const std::string& silent) {
+    return DriveSpec{.keep = [silent](const std::string& topic, double time_s) {
+      return topic != silent || time_s < 0.0;
+    }};
+  };
+  EXPECT_THAT(findings_of(without("/imu")), ElementsAre("recording.no_imu"));
+  EXPECT_THAT(findings_of(without("/points")), ElementsAre("recording.no_scans"));
 }
 
 TEST_F(DoctorRecording, TheSensorFileIsChecked) {

@@ -23,4 +23,11 @@ void add_swing(const std::vector<double>& distance,
                std::uint64_t index,
                VehicleMotion::Channels& channels);
 
+/// Rolls, pitches (half as far) and heaves as a boat in a swell, from the first moment on, each
+/// with its own period of 3 to 6 s.
+void add_boat_sway(double amplitude_rad,
+                   std::uint64_t seed,
+                   std::uint64_t index,
+                   VehicleMotion::Channels& channels);
+
 }  // namespace hybridfusion

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 
 namespace hybridfusion {
 
@@ -64,9 +65,33 @@ double free_lane_m(const StreetPlan& plan) {
 
 constexpr double kCornerSigma_m = 2.6;
 
-/// Once around a closed way from `start_share` of it, and `extra_m` on.
-DrivePlan around(const std::vector<Eigen::Vector2d>& loop, double start_share, double extra_m) {
-  const auto start = static_cast<std::size_t>(start_share * static_cast<double>(loop.size()));
+/// Curvature of a closed way over a metre to either side [1/m].
+double curvature(const std::vector<Eigen::Vector2d>& loop, std::size_t i) {
+  constexpr auto kReach = static_cast<std::size_t>(1.0 / kPathStep_m);
+  const std::size_t n = loop.size();
+  const Eigen::Vector2d first = loop[i % n] - loop[(i + n - kReach) % n];
+  const Eigen::Vector2d second = loop[(i + kReach) % n] - loop[i % n];
+  const double turn =
+      std::atan2(first.x() * second.y() - first.y() * second.x(), first.dot(second));
+  return std::abs(turn) / std::max(kPathStep_m, 0.5 * (first.norm() + second.norm()));
+}
+
+std::size_t start_index(const std::vector<Eigen::Vector2d>& loop, const RouteStart& start) {
+  constexpr double kCorner_per_m = 1.0 / 12.0;     // corners are 5 m wide
+  constexpr double kStraight_per_m = 1.0 / 500.0;  // 30 m/s feel 1.8 m/s^2
+  const auto first = static_cast<std::size_t>(start.share * static_cast<double>(loop.size()));
+  if (start.place == "random") return first;
+  const std::size_t end = first + loop.size();
+  std::size_t i = first;
+  while (i < end && curvature(loop, i) < kCorner_per_m) ++i;
+  if (start.place == "corner") return i;
+  while (i < end && curvature(loop, i) > kStraight_per_m) ++i;
+  return i;
+}
+
+/// Once around a closed way, and `extra_m` on.
+DrivePlan around(const std::vector<Eigen::Vector2d>& loop, const RouteStart& from, double extra_m) {
+  const std::size_t start = start_index(loop, from);
   const auto extra = static_cast<std::size_t>(extra_m / kPathStep_m);
   DrivePlan drive;
   for (std::size_t i = 0; i < loop.size() + extra; ++i) {
@@ -77,7 +102,7 @@ DrivePlan around(const std::vector<Eigen::Vector2d>& loop, double start_share, d
 
 }  // namespace
 
-DrivePlan plan_figure_eight(const StreetPlan& plan, double start_share) {
+DrivePlan plan_figure_eight(const StreetPlan& plan, double extra_m, const RouteStart& start) {
   const double lane = free_lane_m(plan);
   const auto corner = [&](std::size_t x, std::size_t y) {
     return Eigen::Vector2d(plan.street_x[x] + lane, plan.street_y[y] + lane);
@@ -90,7 +115,7 @@ DrivePlan plan_figure_eight(const StreetPlan& plan, double start_share) {
                                                 corner(1, 1),
                                                 corner(2, 1),
                                                 corner(2, 0)};
-  return around(smoothed_loop(resampled(corners), kCornerSigma_m), start_share, 0.0);
+  return around(smoothed_loop(resampled(corners), kCornerSigma_m), start, extra_m);
 }
 
 DrivePlan plan_straight(double length_m, double lane_y_m) {
@@ -104,7 +129,7 @@ DrivePlan plan_straight(double length_m, double lane_y_m) {
 DrivePlan plan_drive(const StreetPlan& plan,
                      const std::array<std::size_t, 4>& blocks,
                      double extra_m,
-                     double start_share) {
+                     const RouteStart& start) {
   const double lane = free_lane_m(plan);
   Eigen::Vector2d low(plan.street_x[blocks[0]] + lane, plan.street_y[blocks[2]] + lane);
   Eigen::Vector2d high(plan.street_x[blocks[1]] + lane, plan.street_y[blocks[3]] + lane);
@@ -114,7 +139,24 @@ DrivePlan plan_drive(const StreetPlan& plan,
   }
   const std::vector<Eigen::Vector2d> loop = smoothed_loop(
       resampled({low, {high.x(), low.y()}, high, {low.x(), high.y()}}), kCornerSigma_m);
-  return around(loop, start_share, extra_m);
+  return around(loop, start, extra_m);
+}
+
+void add_weave(double amplitude_m, double speed_mps, DrivePlan& plan) {
+  if (amplitude_m == 0.0 || plan.path.size() < 3) return;
+  constexpr double kLateral_mps2 = 1.5;
+  constexpr double kShortest_m = 20.0;
+  // A sine of length L bends by amplitude * (2 pi / L)^2 at its crests.
+  const double length_m = std::max(
+      kShortest_m, 2.0 * std::numbers::pi * speed_mps * std::sqrt(amplitude_m / kLateral_mps2));
+  const std::vector<Eigen::Vector2d> straight = plan.path;
+  for (std::size_t i = 0; i < straight.size(); ++i) {
+    const Eigen::Vector2d along =
+        (straight[std::min(i + 1, straight.size() - 1)] - straight[i == 0 ? 0 : i - 1])
+            .normalized();
+    const double phase = 2.0 * std::numbers::pi * static_cast<double>(i) * kPathStep_m / length_m;
+    plan.path[i] += amplitude_m * std::sin(phase) * Eigen::Vector2d(-along.y(), along.x());
+  }
 }
 
 }  // namespace hybridfusion

@@ -1,16 +1,20 @@
 #pragma once
 
+#include "imu_vibration.hpp"
 #include "vehicle_motion.hpp"
 
 #include <hybridfusion/core/random.hpp>
 #include <hybridfusion/core/sensor_data.hpp>
 #include <hybridfusion/simulation/simulation_options.hpp>
 
+#include <optional>
+
 namespace hybridfusion {
 
 inline constexpr double kGravity_mps2 = 9.80665;
 
-/// IMU errors: white noise, constant start bias and a random walk of the bias, per axis.
+/// IMU errors: white noise, constant start bias and a random walk of the bias, per axis; the
+/// vibration of the vehicle where asked for.
 class ImuModel {
  public:
   ImuModel(const ImuModelOptions& options, std::uint64_t seed, std::uint64_t index);
@@ -22,6 +26,9 @@ class ImuModel {
   [[nodiscard]] Eigen::Vector3d normal3();
 
   Random random_;
+  std::optional<CarVibration> vibration_ = {};
+  double rate_hz_;
+  std::uint64_t samples_ = 0;
   double gyro_white_;
   double accel_white_;
   double gyro_step_;

@@ -5,6 +5,7 @@
 #include "jpeg_photo.hpp"
 #include "render.hpp"
 #include "ros_messages.hpp"
+#include "sensor_faults.hpp"
 
 #include <hybridfusion/core/parallel.hpp>
 
@@ -16,6 +17,7 @@ namespace hybridfusion {
 namespace {
 
 constexpr std::size_t kScansAtOnce = 32;
+constexpr std::uint64_t kSecondImu = 1'000'000;  // noise of its own
 
 /// The topics of one recording.
 class Recorder {
@@ -27,6 +29,7 @@ class Recorder {
         bag_(bag),
         ctx_(ctx),
         imu_(options_.imu, ctx.seed, inputs.index),
+        second_imu_(options_.imu, ctx.seed, inputs.index + kSecondImu),
         gnss_(options_.gnss, ctx.seed, "gnss/vehicle", inputs.index) {
     imu_id_ = bag.add_connection("/imu/data", kImuMessage);
     gnss_id_ = bag.add_connection("/gnss/fix", kNavSatFixMessage);
@@ -101,23 +104,43 @@ class Recorder {
       const double gnss_s = static_cast<double>(record_.gnss_fixes) / options_.gnss.rate_hz;
       const double image_s =
           image_id_ ? static_cast<double>(record_.images) / options_.drive.camera_hz : 1e18;
-      const double next = std::min({imu_s, gnss_s, image_s});
+      // Half a period after the first one.
+      const double second_s =
+          options_.faults.second_imu
+              ? (static_cast<double>(second_samples_) + 0.5) / options_.imu.rate_hz
+              : 1e18;
+      const double next = std::min({imu_s, second_s, gnss_s, image_s});
       if (next > to_s) return {};
-      Expected<void> written = next == imu_s    ? record_imu(imu_s)
-                               : next == gnss_s ? record_gnss(gnss_s)
-                                                : record_image(image_s);
+      Expected<void> written = next == imu_s      ? record_imu(imu_s)
+                               : next == second_s ? record_second_imu(second_s)
+                               : next == gnss_s   ? record_gnss(gnss_s)
+                                                  : record_image(image_s);
       if (!written) return written;
     }
   }
 
   [[nodiscard]] Expected<void> record_imu(double time_s) {
     const MotionState state = in_.vehicle.imu_motion(record_.motion.at(time_s));
-    const ImuSample sample = imu_.measure(state, stamp(time_s));
+    const ImuSample sample =
+        with_faults(imu_.measure(state, stamp(time_s)), state, options_.faults);
     const auto sequence = static_cast<std::uint32_t>(record_.imu_samples++);
+    return write_imu(time_s, sample, sequence, "imu");
+  }
+
+  [[nodiscard]] Expected<void> record_second_imu(double time_s) {
+    const MotionState state = in_.vehicle.imu_motion(record_.motion.at(time_s));
+    const ImuSample sample = turned_about_z(second_imu_.measure(state, stamp(time_s)));
+    return write_imu(time_s, sample, static_cast<std::uint32_t>(second_samples_++), "imu_rear");
+  }
+
+  [[nodiscard]] Expected<void> write_imu(double time_s,
+                                         const ImuSample& sample,
+                                         std::uint32_t sequence,
+                                         const std::string& frame) {
     const double rate = options_.imu.rate_hz;
     return bag_.write(imu_id_,
-                      sample.time,
-                      imu_message({.sequence = sequence, .stamp = sample.time, .frame = "imu"},
+                      stamp(time_s),
+                      imu_message({.sequence = sequence, .stamp = sample.time, .frame = frame},
                                   sample,
                                   std::pow(options_.imu.gyro_noise_density, 2) * rate,
                                   std::pow(options_.imu.accel_noise_density, 2) * rate));
@@ -126,7 +149,10 @@ class Recorder {
   [[nodiscard]] Expected<void> record_gnss(double time_s) {
     const MotionState state = in_.vehicle.imu_motion(record_.motion.at(time_s));
     const Eigen::Vector3d antenna = state.world_from_body * in_.vehicle.antenna_in_imu;
-    const GeodeticPosition fix = geodetic_from_enu(in_.origin, antenna + gnss_.at(time_s));
+    if (record_.gnss_fixes == 0) first_antenna_ = antenna;
+    const Eigen::Vector3d stretched =
+        antenna + (options_.faults.gnss_stretch - 1.0) * (antenna - first_antenna_);
+    const GeodeticPosition fix = geodetic_from_enu(in_.origin, stretched + gnss_.at(time_s));
     const auto sequence = static_cast<std::uint32_t>(record_.gnss_fixes++);
     // Receivers report what they believe: the nominal sigma.
     return bag_.write(
@@ -182,6 +208,9 @@ class Recorder {
   BagWriter& bag_;
   const RunContext& ctx_;
   ImuModel imu_;
+  ImuModel second_imu_;
+  std::size_t second_samples_ = 0;
+  Eigen::Vector3d first_antenna_ = Eigen::Vector3d::Zero();
   GnssError gnss_;
   std::uint32_t imu_id_ = 0;
   std::uint32_t gnss_id_ = 0;

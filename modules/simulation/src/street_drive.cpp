@@ -35,7 +35,11 @@ std::array<std::size_t, 4> blocks_of_drive(const StreetPlan& plan, int index, in
 Expected<DrivePlan> plan_route(const StreetPlan& streets,
                                const SimulationOptions& options,
                                int index,
-                               double start_share) {
+                               const RouteStart& start) {
+  // A rolling drive never stops: laps enough for its time.
+  const double rolling_m = options.drive.start_speed_mps > 0.0
+                               ? options.drive.max_speed_mps * (options.drive.duration_s + 5.0)
+                               : 0.0;
   if (options.world.variant == "tunnel") {
     return plan_straight(kTunnelDriveShare * options.world.size_m, kTunnelLane_m);
   }
@@ -47,12 +51,12 @@ Expected<DrivePlan> plan_route(const StreetPlan& streets,
                               options.world.blocks_x,
                               options.world.variant));
     }
-    return plan_figure_eight(streets, start_share);
+    return plan_figure_eight(streets, rolling_m, start);
   }
   return plan_drive(streets,
                     blocks_of_drive(streets, index, options.drive.drives),
-                    options.drive.loop_overlap_m,
-                    start_share);
+                    std::max(options.drive.loop_overlap_m, rolling_m),
+                    start);
 }
 
 double path_length(const VehicleMotion& motion) {
@@ -114,7 +118,9 @@ Expected<DriveRecord> record_drive(const World& world,
   const auto number = static_cast<std::uint64_t>(index);
   const StreetPlan& streets = world.terrain.plan();
   Random random(ctx.seed, "vehicle/start", number);
-  HF_TRY(const DrivePlan plan, plan_route(streets, options, index, random.uniform(0.05, 0.9)));
+  const RouteStart start{.share = random.uniform(0.05, 0.9), .place = options.drive.start_place};
+  HF_TRY(DrivePlan plan, plan_route(streets, options, index, start));
+  add_weave(options.drive.weave_m, options.drive.max_speed_mps, plan);
   HF_TRY(VehicleMotion motion, drive(plan, world.terrain, options.drive, ctx.seed, number));
   DriveRecord record{.motion = std::move(motion),
                      .start_s = kTakeOffTime_s + kDriveDelay_s * (index + 1),

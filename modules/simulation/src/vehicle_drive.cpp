@@ -1,4 +1,5 @@
 #include "body_sway.hpp"
+#include "speed_profile.hpp"
 #include "vehicle_motion.hpp"
 
 #include <hybridfusion/core/random.hpp>
@@ -13,81 +14,6 @@ namespace hybridfusion {
 namespace {
 
 constexpr double kBodyHeight_m = 0.95;
-constexpr double kLateralLimit_mps2 = 1.8;
-constexpr double kForwardLimit_mps2 = 1.3;
-
-Eigen::Vector2d point_on(const DrivePlan& plan, double s) {
-  const double slot = std::clamp(s / kPathStep_m, 0.0, static_cast<double>(plan.path.size() - 1));
-  const auto i = std::min(static_cast<std::size_t>(slot), plan.path.size() - 2);
-  return plan.path[i] + (slot - static_cast<double>(i)) * (plan.path[i + 1] - plan.path[i]);
-}
-
-double curvature_at(const DrivePlan& plan, double s) {
-  constexpr double kHalf = 1.0;
-  const Eigen::Vector2d a = point_on(plan, s - kHalf);
-  const Eigen::Vector2d b = point_on(plan, s);
-  const Eigen::Vector2d c = point_on(plan, s + kHalf);
-  const Eigen::Vector2d first = b - a;
-  const Eigen::Vector2d second = c - b;
-  const double turn =
-      std::atan2(first.x() * second.y() - first.y() * second.x(), first.dot(second));
-  return std::abs(turn) / std::max(0.1, 0.5 * (first.norm() + second.norm()));
-}
-
-/// Highest speed along the path when nothing exceeds `cruise`, the curve limits and the pedals.
-std::vector<double> speed_profile(const DrivePlan& plan, double cruise) {
-  std::vector<double> speed(plan.path.size());
-  if (speed.empty()) return speed;
-  for (std::size_t i = 0; i < speed.size(); ++i) {
-    const double k = curvature_at(plan, static_cast<double>(i) * kPathStep_m);
-    speed[i] = std::min(cruise, std::sqrt(kLateralLimit_mps2 / std::max(k, 1e-4)));
-  }
-  speed.front() = speed.back() = 0.35;
-  const double gain = 2.0 * kForwardLimit_mps2 * kPathStep_m;
-  for (std::size_t i = 1; i < speed.size(); ++i) {
-    speed[i] = std::min(speed[i], std::sqrt(speed[i - 1] * speed[i - 1] + gain));
-  }
-  for (std::size_t i = speed.size() - 1; i-- > 0;) {
-    speed[i] = std::min(speed[i], std::sqrt(speed[i + 1] * speed[i + 1] + gain));
-  }
-  return speed;
-}
-
-double travel_time(const std::vector<double>& speed) {
-  double time = 0.0;
-  for (std::size_t i = 1; i < speed.size(); ++i) {
-    time += kPathStep_m / (0.5 * (speed[i] + speed[i - 1]));
-  }
-  return time;
-}
-
-/// Distance along the path at every time step, standing still before and after.
-std::vector<double> distance_over_time(const std::vector<double>& speed,
-                                       double still_s,
-                                       std::size_t steps) {
-  std::vector<double> distance(steps, 0.0);
-  std::size_t i = 1;
-  double time = still_s;
-  double next = time;
-  for (std::size_t step = 0; step < steps; ++step) {
-    const double now = (static_cast<double>(step) - 1.0) * kTimeStep_s;
-    while (i < speed.size()) {
-      next = time + kPathStep_m / (0.5 * (speed[i] + speed[i - 1]));
-      if (next >= now) break;
-      time = next;
-      ++i;
-    }
-    const double length = static_cast<double>(speed.size() - 1) * kPathStep_m;
-    if (now <= still_s) {
-      distance[step] = 0.0;
-    } else if (i >= speed.size()) {
-      distance[step] = length;
-    } else {
-      distance[step] = (static_cast<double>(i - 1) + (now - time) / (next - time)) * kPathStep_m;
-    }
-  }
-  return distance;
-}
 
 /// Smooth random height of the road surface as the springs pass it on, by place, not by time.
 class Roughness {
@@ -122,16 +48,17 @@ struct TimedRoute {
 TimedRoute fit_route(const DrivePlan& plan, double moving_s, double max_speed_mps) {
   TimedRoute timed{.route = plan};
   DrivePlan& route = timed.route;
-  while (travel_time(speed_profile(route, max_speed_mps)) > moving_s && route.path.size() > 40) {
+  while (travel_time(speed_profile(route, max_speed_mps, kCreep_mps)) > moving_s &&
+         route.path.size() > 40) {
     route.path.resize(route.path.size() * 9 / 10);
   }
   double low = 0.3;
   double high = max_speed_mps;
   for (int step = 0; step < 40; ++step) {
     const double middle = 0.5 * (low + high);
-    (travel_time(speed_profile(route, middle)) > moving_s ? low : high) = middle;
+    (travel_time(speed_profile(route, middle, kCreep_mps)) > moving_s ? low : high) = middle;
   }
-  timed.speed = speed_profile(route, high);
+  timed.speed = speed_profile(route, high, kCreep_mps);
   return timed;
 }
 
@@ -189,16 +116,14 @@ class BodyPose {
   Roughness roll_;
 };
 
-}  // namespace
+constexpr double kSoftening_s = 0.35;  // Sigma of the pedals' softness.
 
-Expected<VehicleMotion> drive(const DrivePlan& plan,
-                              const Terrain& terrain,
-                              const DriveOptions& options,
-                              std::uint64_t seed,
-                              std::uint64_t index) {
+/// Distance at every control value of a drive that starts and ends at rest.
+Expected<std::vector<double>> distance_from_rest(TimedRoute& timed,
+                                                 const DriveOptions& options,
+                                                 std::size_t steps) {
   constexpr double kStandAtEnd_s = 2.0;
   constexpr double kLeastMoving_s = 2.0;
-  constexpr double kSoftening_s = 0.35;  // Sigma of the pedals' softness.
   // The softening spreads 3 sigma; it must not reach into the standstill.
   const double start_s = options.standstill_s + 3.0 * kSoftening_s;
   const double moving_s = options.duration_s - start_s - 3.0 * kSoftening_s - kStandAtEnd_s;
@@ -212,16 +137,56 @@ Expected<VehicleMotion> drive(const DrivePlan& plan,
                             kStandAtEnd_s,
                             kLeastMoving_s));
   }
-  const TimedRoute timed = fit_route(plan, moving_s, options.max_speed_mps);
-  const auto steps = static_cast<std::size_t>(std::lround(options.duration_s / kTimeStep_s)) + 3;
+  timed = fit_route(timed.route, moving_s, options.max_speed_mps);
+  return smoothed(distance_at_times(timed.speed, start_s, -kTimeStep_s, steps),
+                  kSoftening_s / kTimeStep_s,
+                  false);
+}
+
+/// The same for a drive that rolls at its first moment and does not stop.
+std::vector<double> distance_rolling(TimedRoute& timed,
+                                     const DriveOptions& options,
+                                     std::size_t steps) {
+  // It sets off before the recording, by what the softening needs at either end.
+  const auto lead = static_cast<std::size_t>(std::ceil(3.0 * kSoftening_s / kTimeStep_s)) + 1;
+  const double lead_s = static_cast<double>(lead) * kTimeStep_s;
+  timed.speed = speed_profile(timed.route, options.max_speed_mps, options.start_speed_mps);
+  // Until the first sample, and for the softening's width after it, at the speed asked for.
+  const auto held = static_cast<std::size_t>(2.0 * lead_s * options.start_speed_mps / kPathStep_m);
+  for (std::size_t i = 0; i < std::min(held, timed.speed.size()); ++i) {
+    timed.speed[i] = std::min(timed.speed[i], options.start_speed_mps);
+  }
+  const double first_s = -kTimeStep_s - lead_s;
   const std::vector<double> distance =
-      smoothed(distance_over_time(timed.speed, start_s, steps), kSoftening_s / kTimeStep_s, false);
+      smoothed(distance_at_times(timed.speed, first_s, first_s, steps + 2 * lead),
+               kSoftening_s / kTimeStep_s,
+               false);
+  const auto begin = distance.begin() + static_cast<std::ptrdiff_t>(lead);
+  return {begin, begin + static_cast<std::ptrdiff_t>(steps)};
+}
+
+}  // namespace
+
+Expected<VehicleMotion> drive(const DrivePlan& plan,
+                              const Terrain& terrain,
+                              const DriveOptions& options,
+                              std::uint64_t seed,
+                              std::uint64_t index) {
+  const auto steps = static_cast<std::size_t>(std::lround(options.duration_s / kTimeStep_s)) + 3;
+  TimedRoute timed{.route = plan};
+  std::vector<double> distance;
+  if (options.start_speed_mps > 0.0) {
+    distance = distance_rolling(timed, options, steps);
+  } else {
+    HF_TRY(distance, distance_from_rest(timed, options, steps));
+  }
   Random random(seed, "vehicle/roughness", index);
   const BodyPose pose(timed.route, terrain, options.bump_sd_m, random);
   VehicleMotion::Channels channels;
   for (const double s : distance) pose.append(s, channels);
   add_body_roll(distance, options.roll_per_lateral_g_deg * std::numbers::pi / 180.0, channels);
   add_swing(distance, options.swing_deg * std::numbers::pi / 180.0, seed, index, channels);
+  add_boat_sway(options.boat_sway_deg * std::numbers::pi / 180.0, seed, index, channels);
   return VehicleMotion(std::move(channels), kTimeStep_s);
 }
 

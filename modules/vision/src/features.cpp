@@ -18,7 +18,9 @@ constexpr int kOctaveLayers = 3;
 constexpr double kSigma = 1.6;
 // OpenCV before 4.8 doubles the image by bilinear interpolation about the corner of the first pixel
 // but halves the coordinates about its centre: all keypoints lie 1/4 px too far right and down.
-constexpr float kUpsamplingShift_px = 0.25F;
+constexpr bool kDoublesAboutTheCorner =
+    CV_VERSION_MAJOR < 4 || (CV_VERSION_MAJOR == 4 && CV_VERSION_MINOR < 8);
+constexpr float kUpsamplingShift_px = kDoublesAboutTheCorner ? 0.25F : 0.0F;
 
 /// Rounds of picking the strongest left in every cell until `count` are found: regions of weak
 /// texture keep their share.
@@ -99,13 +101,13 @@ FeatureSet extract(const Image8& image, const FeatureOptions& options) {
   cv::SIFT::create(0, kOctaveLayers, options.min_contrast, options.edge_ratio, kSigma)
       ->compute(gray, keypoints, descriptors);
 
-  const float scale_x = static_cast<float>(image.width) / static_cast<float>(gray.cols);
-  const float scale_y = static_cast<float>(image.height) / static_cast<float>(gray.rows);
+  // Not from the sizes: a side that does not divide is rounded to whole pixels, its scale is not.
+  const auto scale = static_cast<float>(1.0 / reduction);
   FeatureSet features;
   features.descriptors.reserve(keypoints.size() * kDescriptorSize);
   for (std::size_t i = 0; i < keypoints.size(); ++i) {
     const cv::Point2f at = keypoints[i].pt - cv::Point2f(kUpsamplingShift_px, kUpsamplingShift_px);
-    const Eigen::Vector2f pixel((at.x + 0.5F) * scale_x - 0.5F, (at.y + 0.5F) * scale_y - 0.5F);
+    const Eigen::Vector2f pixel((at.x + 0.5F) * scale - 0.5F, (at.y + 0.5F) * scale - 0.5F);
     features.pixels.push_back(pixel);
     const auto& color =
         rgb.at<cv::Vec3b>(std::clamp(static_cast<int>(std::lround(pixel.y())), 0, rgb.rows - 1),

@@ -156,5 +156,17 @@ TEST(Densify, StopsWhenTheCallerAsks) {
   EXPECT_EQ(cloud.error().code, ErrorCode::kCancelled);
 }
 
+TEST(Densify, PhotosFartherThanVoxelsReachAreRefusedNotWrapped) {
+  Reconstruction far = box_survey().reconstruction;
+  const Eigen::Vector3d away(419000.0, 0.0, 0.0);
+  for (View& view : far.views) view.enu_from_camera->translation += away;
+  for (ScenePoint& point : far.points) point.point_in_enu += away;
+  const auto cloud = densify(box_survey().photos, far, {}, {.num_threads = 2});
+  ASSERT_FALSE(cloud);
+  EXPECT_EQ(cloud.error().code, ErrorCode::kDegenerate);
+  EXPECT_NE(cloud.error().message.find("419 km from the origin"), std::string::npos)
+      << cloud.error().message;
+}
+
 }  // namespace
 }  // namespace hybridfusion

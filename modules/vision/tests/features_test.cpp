@@ -91,6 +91,65 @@ TEST(ExtractFeatures, KeypointsOfAReducedPhotoAreInItsOwnPixels) {
   EXPECT_NEAR(gaps[gaps.size() / 2], 0.0, 0.1);
 }
 
+/// Round marks on a grid with known centres, far enough apart not to disturb each other.
+Image8 marks(int width, int height, std::vector<Eigen::Vector2d>& centres) {
+  constexpr int kStep_px = 40;
+  constexpr double kSigma_px = 4.0;
+  Image8 image{.width = width, .height = height, .channels = 3};
+  std::vector<double> gray(static_cast<std::size_t>(width * height), 60.0);
+  Random random(9, "test/marks");
+  for (int cy = kStep_px; cy + kStep_px / 2 < height; cy += kStep_px) {
+    for (int cx = kStep_px; cx + kStep_px / 2 < width; cx += kStep_px) {
+      const Eigen::Vector2d centre(cx + random.uniform(-0.5, 0.5), cy + random.uniform(-0.5, 0.5));
+      centres.push_back(centre);
+      for (int y = cy - 19; y < std::min(cy + 20, height); ++y) {
+        for (int x = cx - 19; x < std::min(cx + 20, width); ++x) {
+          const double r2 = (Eigen::Vector2d(x, y) - centre).squaredNorm();
+          gray[static_cast<std::size_t>(y * width + x)] +=
+              150.0 * std::exp(-r2 / (2 * kSigma_px * kSigma_px));
+        }
+      }
+    }
+  }
+  for (const double g : gray) {
+    image.pixels.insert(
+        image.pixels.end(), 3, static_cast<std::uint8_t>(std::lround(std::min(g, 255.0))));
+  }
+  return image;
+}
+
+TEST(ExtractFeatures, MarksAreFoundWhereTheyAreToTwoHundredthsOfAPixel) {
+  struct Case {
+    int width;
+    int height;
+    int max_size_px;
+  };
+  // The rows of the reduced ones do not divide: 611 -> 458.25, 613 -> 383.125.
+  for (const Case& each : {Case{800, 600, 4000}, Case{800, 611, 600}, Case{800, 613, 500}}) {
+    std::vector<Eigen::Vector2d> centres;
+    const Image8 image = marks(each.width, each.height, centres);
+    const auto features = extract_features(image, {.max_size_px = each.max_size_px});
+    ASSERT_TRUE(features);
+    Eigen::Vector2d upper = Eigen::Vector2d::Zero();  // mean gap in the upper and the lower half
+    Eigen::Vector2d lower = Eigen::Vector2d::Zero();
+    double num_upper = 0.0;
+    double num_lower = 0.0;
+    for (const Eigen::Vector2d& centre : centres) {
+      Eigen::Vector2d nearest(9.0, 9.0);
+      for (const Eigen::Vector2f& at : features->pixels) {
+        const Eigen::Vector2d gap = at.cast<double>() - centre;
+        if (gap.norm() < nearest.norm()) nearest = gap;
+      }
+      if (nearest.norm() > 1.0) continue;
+      (centre.y() < 0.5 * each.height ? upper : lower) += nearest;
+      (centre.y() < 0.5 * each.height ? num_upper : num_lower) += 1.0;
+    }
+    ASSERT_GT(std::min(num_upper, num_lower), 50.0) << each.height;
+    EXPECT_LT((upper / num_upper).norm(), 0.02) << each.height;
+    EXPECT_LT((lower / num_lower).norm(), 0.02) << each.height;
+  }
+}
+
 TEST(ExtractFeatures, CapIsSpreadOverThePhoto) {
   const Image8 image = blobs(320, 240, 400);
   const auto all = extract_features(image, {});

@@ -2,6 +2,7 @@
 #include "depth_fusion.hpp"
 
 #include <hybridfusion/core/memory.hpp>
+#include <hybridfusion/geometry/voxel_range.hpp>
 #include <hybridfusion/vision/densify.hpp>
 
 #include <algorithm>
@@ -31,6 +32,24 @@ double default_voxel_m(const Reconstruction& reconstruction) {
   return 2.0 * *middle;
 }
 
+/// The photos must lie where the keys of voxels, and 32-bit coordinates, still tell places apart.
+Expected<void> check_reach(const Reconstruction& reconstruction, double voxel_m) {
+  for (const View& view : reconstruction.views) {
+    if (!view.enu_from_camera) continue;
+    const Eigen::Vector3d& at = view.enu_from_camera->translation;
+    if (in_voxel_key_reach(at, voxel_m)) continue;
+    return fail(ErrorCode::kDegenerate,
+                fmt::format("{} lies {:.0f} km from the origin of the result, voxels of {:.3f} m "
+                            "reach {:.0f} km; check the origin, or whether the positions are those "
+                            "of one block",
+                            view.name,
+                            at.norm() / 1000.0,
+                            voxel_m,
+                            voxel_key_reach_m(voxel_m) / 1000.0));
+  }
+  return {};
+}
+
 Expected<PointCloud> densify_registered(std::span<const Photo> photos,
                                         const Reconstruction& reconstruction,
                                         const DensifyOptions& options,
@@ -39,6 +58,9 @@ Expected<PointCloud> densify_registered(std::span<const Photo> photos,
   const double voxel_m = options.voxel_m > 0.0 ? options.voxel_m : default_voxel_m(reconstruction);
   if (!(voxel_m > 0.0)) {
     return fail(ErrorCode::kInsufficient, "no scene point lies in front of a registered photo");
+  }
+  if (auto near = check_reach(reconstruction, voxel_m); !near) {
+    return std::unexpected(near.error());
   }
   return_freed_memory();  // features and matches are gone by now
   DepthFusion fusion(voxel_m);

@@ -5,6 +5,7 @@
 
 #include <hybridfusion/core/error.hpp>
 #include <hybridfusion/geometry/voxel_grid.hpp>
+#include <hybridfusion/geometry/voxel_range.hpp>
 
 #include <cmath>
 #include <utility>
@@ -49,6 +50,7 @@ void DepthFusion::add(const DepthMap& map) {
       if (!map.has_depth(x, y)) continue;
       const Eigen::Vector3d ray = enu_from_camera * ray_of(map.grid, {x, y});
       const Eigen::Vector3d point = centre + map.depth_m.at(x, y) * ray;
+      if (!in_voxel_key_reach(point, voxel_m_)) continue;  // its key would be that of another place
       const VoxelIndex index = voxel_of(point.cast<float>(), voxel_m_);
       const float sigma = map.sigma_m.at(x, y);
       const float weight = 1.0F / (sigma * sigma);

@@ -4,6 +4,7 @@
 #include <hybridfusion/core/point_cloud.hpp>
 #include <hybridfusion/core/run_context.hpp>
 #include <hybridfusion/io/placed_cloud.hpp>
+#include <hybridfusion/io/point_scalar.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -16,6 +17,15 @@
 
 namespace hybridfusion {
 
+/// A scalar of a file, with the range of its values.
+struct SurveyedScalar {
+  std::string name = {};
+  ScalarType type = ScalarType::kFloat64;
+  std::string description = {};
+  double smallest = 0.0;
+  double largest = 0.0;
+};
+
 /// What only the whole of a cloud file tells: with it the file can be read in alike batches.
 struct CloudSurvey {
   std::uint64_t num_points = 0;
@@ -25,17 +35,26 @@ struct CloudSurvey {
   double color_max = 0.0;  ///< Full scale of the file's colours; 0: it has none.
   bool has_intensity = false;
   float largest_intensity = 0.0F;
+  float smallest_intensity = 0.0F;
+  bool fractional_intensity = false;
+  bool time_is_seconds = true;               ///< Else it is one of the scalars.
+  std::vector<std::string> channels = {};    ///< Those of the points, for people.
+  std::vector<SurveyedScalar> scalars = {};  ///< Those that say something.
+  Viewpoint viewpoint = kNoViewpoint;
+  std::vector<std::string> columns = {};  ///< Names given for the columns of a text cloud.
 };
 
 /// Reads the file once, in constant memory. The format is that of read_placed_cloud.
-/// @returns errors as read_placed_cloud; kCancelled.
+/// @param columns  Names of the columns of a text cloud; empty: from its heading or content.
+/// @returns errors as read_placed_cloud; kInvalidOptions for columns of another format; kCancelled.
 [[nodiscard]] Expected<CloudSurvey> survey_cloud(const std::filesystem::path& path,
-                                                 const RunContext& ctx = {});
+                                                 const RunContext& ctx = {},
+                                                 const std::vector<std::string>& columns = {});
 
-using CloudBatchVisitor = std::function<Expected<void>(PointCloud&&)>;
+using CloudBatchVisitor = std::function<Expected<void>(CloudBatch&&)>;
 
 /// Reads the same points in the same order in clouds of at most `batch_points`, all with the
-/// channels and the offset of the survey. Points before an error have been visited.
+/// channels, the scalars and the offset of the survey. Points before an error have been visited.
 /// @pre batch_points > 0. @returns errors as read_placed_cloud and those of `visit`, which ends the
 /// reading; kIo when the file is no longer the surveyed one; kCancelled.
 [[nodiscard]] Expected<void> read_cloud_batches(const std::filesystem::path& path,

@@ -23,6 +23,8 @@ enum class CloudEncoding : std::uint8_t {
 struct CloudFormat {
   CloudEncoding encoding = CloudEncoding::kDefault;
   LasVersion las_version = LasVersion::k14;
+  bool ply_scalar_prefix = false;  ///< "scalar_" before the names, for CloudCompare 2.11.
+  bool text_in_crs_units = false;  ///< .xyz counts as the CRS does (feet), not in metres.
 };
 
 /// Writes a cloud that comes in batches, in memory for one of them but for a compressed .pcd. The
@@ -43,7 +45,7 @@ class CloudWriter {
 
   /// @pre validate(batch); every batch has the channels of the first.
   /// @returns kDegenerate for a point that the format cannot hold.
-  [[nodiscard]] Expected<void> add(const PointCloud& batch);
+  [[nodiscard]] Expected<void> add(const CloudBatch& batch);
   /// @returns kIo; kInsufficient when there were no points and the format needs some.
   [[nodiscard]] Expected<void> commit();
   /// Whether the coordinates in the file have the offset of the survey in them.

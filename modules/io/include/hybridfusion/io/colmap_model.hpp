@@ -59,7 +59,14 @@ struct ColmapModel {
 /// Writes cameras.txt, images.txt and points3D.txt into an existing folder.
 [[nodiscard]] Expected<void> write_colmap_model(const std::filesystem::path& folder,
                                                 const ColmapModel& model);
-/// Reads those three files. @returns kNotFound; kParse naming file and line.
+/// Writes cameras.bin, images.bin and points3D.bin. @returns kInvalidOptions for a camera model
+/// that has no number.
+[[nodiscard]] Expected<void> write_colmap_binary(const std::filesystem::path& folder,
+                                                 const ColmapModel& model);
+/// Reads the three files, binary where cameras.bin is there, as COLMAP does. @returns kNotFound
+/// naming folders below that hold a model; kParse naming file and line or byte.
 [[nodiscard]] Expected<ColmapModel> read_colmap_model(const std::filesystem::path& folder);
+/// The files that read_colmap_model reads: cameras, images, points.
+[[nodiscard]] std::vector<std::filesystem::path> colmap_files(const std::filesystem::path& folder);
 
 }  // namespace hybridfusion

@@ -21,6 +21,7 @@ struct CloudConversion {
   std::optional<std::filesystem::path> dsm = {};    ///< GeoTIFF of the surface height.
   std::optional<std::filesystem::path> ortho = {};  ///< GeoTIFF of the colours.
   CloudFormat format = {};
+  std::vector<std::string> columns = {};  ///< Names of the columns of a text cloud.
   SurfaceRasterOptions raster = {};
   std::optional<Georeference> georeference = {};  ///< Of a cloud in metres east, north, up.
   /// The georeference is a mere guess: a cloud in a coordinate system already stays there.

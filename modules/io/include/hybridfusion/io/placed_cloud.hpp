@@ -14,10 +14,11 @@ namespace hybridfusion {
 
 /// A coordinate reference system as a file names it.
 struct CrsDescription {
-  std::string name = {};    ///< "WGS 84 / UTM zone 32N"; empty: none or unknown.
-  std::string wkt = {};     ///< Empty when it cannot be said.
-  bool geographic = false;  ///< Coordinates are degrees.
-  double metres_per_unit = 1.0;
+  std::string name = {};                  ///< "WGS 84 / UTM zone 32N"; empty: none or unknown.
+  std::string wkt = {};                   ///< Empty when it cannot be said.
+  bool geographic = false;                ///< Coordinates are degrees.
+  double metres_per_unit = 1.0;           ///< Of the horizontal coordinates.
+  double vertical_metres_per_unit = 1.0;  ///< Of the heights.
 };
 
 /// A cloud whose coordinates may be too large for float.
@@ -32,6 +33,7 @@ struct PlacedCloud {
 struct Georeference {
   GeodeticOrigin origin = {};
   std::string crs = {};  ///< Target: "EPSG:n" or "EPSG:n+m"; empty: the UTM zone of the origin.
+  bool allow_ballpark = false;  ///< Also where PROJ promises no better than 5 m.
 };
 
 /// Brings the clouds of one place into the coordinates of a CRS.
@@ -48,6 +50,7 @@ class CloudProjector {
   [[nodiscard]] Expected<PointCloud> operator()(PointCloud cloud) const;
   [[nodiscard]] const Eigen::Vector3d& offset_m() const;  ///< Position in the CRS = point + offset.
   [[nodiscard]] const CrsDescription& crs() const;
+  [[nodiscard]] const std::string& warning() const;  ///< On the accuracy; empty: none.
 
  private:
   struct State;

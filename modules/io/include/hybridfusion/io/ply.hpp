@@ -4,11 +4,13 @@
 #include <hybridfusion/core/point_cloud.hpp>
 #include <hybridfusion/core/triangle_mesh.hpp>
 #include <hybridfusion/io/atomic_file.hpp>
+#include <hybridfusion/io/point_scalar.hpp>
 
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -21,6 +23,8 @@ enum class PlyFormat : std::uint8_t { kBinaryLittleEndian, kAscii };
 struct PlyWriteOptions {
   PlyFormat format = PlyFormat::kBinaryLittleEndian;
   std::vector<std::string> comments = {};  ///< One header line each; line breaks become spaces.
+  /// Names of scalars begin with "scalar_"; CloudCompare 2.11 drops all others.
+  bool scalar_prefix = false;
 };
 
 /// Scalar vertex columns by name, e.g. label, drone and vehicle of truth/samples.ply.
@@ -38,7 +42,7 @@ struct PlyTable {
 /// intensity (also scalar_intensity, any case), time, sigma, confidence and source fill the
 /// channels of that name.
 /// @returns kNotFound for a missing file; kParse, naming the file, the cause and the next step, for
-/// an empty, truncated or non-PLY file and for non-finite coordinates.
+/// an empty, truncated or non-PLY file and for one without a finite point; others are dropped.
 [[nodiscard]] Expected<PointCloud> read_ply(const std::filesystem::path& path);
 
 /// Reads the same points in the same order in clouds of at most `batch_points`, so that a file
@@ -67,20 +71,25 @@ class PlyPieceWriter {
  public:
   /// @returns kIo.
   [[nodiscard]] static Expected<PlyPieceWriter> create(
-      const std::filesystem::path& path, PlyFormat format = PlyFormat::kBinaryLittleEndian);
+      const std::filesystem::path& path,
+      PlyFormat format = PlyFormat::kBinaryLittleEndian,
+      bool scalar_prefix = false);
   /// @pre validate(piece); every piece has the channels of the first.
   void add(const PointCloud& piece);
+  void add(const CloudBatch& piece);
   [[nodiscard]] std::size_t size() const { return num_points_; }
   /// @returns kIo.
   [[nodiscard]] Expected<void> commit();
 
  private:
-  PlyPieceWriter(AtomicFile file, PlyFormat format) : file_(std::move(file)), format_(format) {}
+  PlyPieceWriter(AtomicFile file, PlyWriteOptions options)
+      : file_(std::move(file)), options_(std::move(options)) {}
+  void add_rows(const PointCloud& piece, std::span<const PointScalar> scalars);
 
   AtomicFile file_;
-  PlyFormat format_;
+  PlyWriteOptions options_;
   std::size_t num_points_ = 0;
-  PointCloud channels_ = {};  // one point with the channels of all
+  CloudBatch channels_ = {};  // one point with the channels of all
 };
 
 }  // namespace hybridfusion

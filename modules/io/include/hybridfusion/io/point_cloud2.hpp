@@ -38,6 +38,10 @@ class ScanDecoder {
   /// for.
   [[nodiscard]] Expected<LidarScan> decode_point_cloud2(std::span<const std::byte> message,
                                                         RosWire wire = RosWire::kRos1);
+  /// @param message  Serialised point_cloud_interfaces/CompressedPointCloud2 of
+  /// point_cloud_transport. @returns kNotFound for a compression other than zstd.
+  [[nodiscard]] Expected<LidarScan> decode_compressed(std::span<const std::byte> message,
+                                                      RosWire wire = RosWire::kCdr);
   /// @param message  Serialised livox_ros_driver(2)/CustomMsg.
   [[nodiscard]] Expected<LidarScan> decode_livox(std::span<const std::byte> message,
                                                  RosWire wire = RosWire::kRos1);
@@ -45,6 +49,8 @@ class ScanDecoder {
   /// How point times are found, for a person: "field 'time' (float32, s, relative to the scan's
   /// stamp)"; empty before the first scan.
   [[nodiscard]] const std::string& point_time() const;
+  /// Whether times were made up for any scan so far.
+  [[nodiscard]] bool made_up() const;
   /// Things worth telling since the last call; each is told once.
   [[nodiscard]] std::vector<std::string> take_warnings();
 

@@ -10,8 +10,7 @@
 
 namespace hybridfusion {
 
-/// Reads a cloud by its extension: .ply, .pcd, .las, or .xyz/.txt/.csv/.pts (x y z [intensity] or
-/// x y z r g b per line).
+/// Reads a cloud by its extension: .ply, .pcd, .las, or text (.xyz .txt .csv .asc .pts).
 /// @returns kInvalidOptions for another extension, naming those that are read.
 [[nodiscard]] Expected<PointCloud> read_point_cloud(const std::filesystem::path& path);
 

@@ -17,6 +17,8 @@ struct SensorConfig {
   std::optional<std::string> lidar_topic = {};
   std::optional<std::string> imu_topic = {};
   std::optional<std::string> gnss_topic = {};
+  std::optional<std::string> lidar_frame = {};  ///< frame_id, where several share a topic.
+  std::optional<std::string> imu_frame = {};
   std::optional<std::string> point_time_field = {};
   std::optional<std::string> point_time_unit = {};  ///< s, ms, us or ns.
   std::optional<Rigid3> imu_from_lidar = {};        ///< 16 numbers, row-major.

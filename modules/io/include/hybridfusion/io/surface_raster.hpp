@@ -20,6 +20,8 @@ struct SurfaceRaster {
   std::vector<float> heights_m = {};  ///< NaN where nothing was seen.
   std::vector<Rgb8> colors = {};      ///< Empty when the cloud has none.
   std::string wkt = {};
+  double metres_per_unit = 1.0;           ///< Of the system; the file counts as it does.
+  double vertical_metres_per_unit = 1.0;  ///< The heights of the file too.
 };
 
 struct SurfaceRasterOptions {
@@ -44,7 +46,7 @@ class SurfaceRasterBuilder {
                                                              const SurfaceRasterOptions& options);
   /// @pre the extent holds the points; all clouds or none have colours.
   void add(const PointCloud& cloud, const Eigen::Vector3d& offset_m);
-  [[nodiscard]] SurfaceRaster finish(std::string wkt) &&;
+  [[nodiscard]] SurfaceRaster finish(const CrsDescription& crs) &&;
 
  private:
   explicit SurfaceRasterBuilder(const SurfaceRasterOptions& options) : options_(options) {}
@@ -59,7 +61,8 @@ class SurfaceRasterBuilder {
 [[nodiscard]] Expected<SurfaceRaster> make_surface_raster(const PlacedCloud& placed,
                                                           const SurfaceRasterOptions& options = {});
 
-/// Heights as a GeoTIFF of one float32 band [m], "no data" -9999.
+/// Heights as a GeoTIFF of one float32 band in the unit of the heights of the system (metres when
+/// it has none), "no data" -9999.
 [[nodiscard]] Expected<void> write_dsm(const std::filesystem::path& path,
                                        const SurfaceRaster& raster);
 

@@ -72,6 +72,10 @@ struct GnssAlignment {
   std::size_t num_used = 0;
   std::size_t num_outliers = 0;
   double track_extent_m = 0.0;  ///< Largest horizontal distance between two antenna positions.
+  /// Not empty when fixes and trajectory are of different shape, so that nothing else here means
+  /// anything: two in five fixes are off by more than five deviations, 5 m and a twentieth of the
+  /// track.
+  std::string contradiction = {};
   std::vector<GnssResidual> residuals = {};
 };
 

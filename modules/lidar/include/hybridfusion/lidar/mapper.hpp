@@ -37,7 +37,10 @@ struct MappingResult {
   double level_sigma_rad = 0.0;       ///< Formal deviation of the map's vertical; 0: not known.
   /// Longest time without a scan that was located by its points: the IMU alone went on.
   double longest_blind_s = 0.0;
-  /// `longest_blind_s` is within OdometryOptions::max_blind_s; else what follows hangs on a guess.
+  /// What in the drive contradicts itself, a sentence each with the likely cause and a remedy.
+  std::vector<std::string> contradictions = {};
+  /// Nothing contradicts, and `longest_blind_s` is within OdometryOptions::max_blind_s: else what
+  /// follows hangs on a guess.
   bool reliable = true;
   std::vector<std::string> warnings = {};  ///< What a user should know, in full sentences.
 };

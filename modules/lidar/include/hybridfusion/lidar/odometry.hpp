@@ -37,10 +37,15 @@ enum class ScanFlag : std::uint32_t {
 struct ScanQuality {
   Timestamp time{};              ///< Scan end.
   int num_points = 0;            ///< Valid points.
+  int num_thinned = 0;           ///< Points after thinning: what is matched.
   int num_matched = 0;           ///< Thinned points that found a plane.
   double mean_residual_m = 0.0;  ///< Mean absolute point-to-plane distance.
   double min_information = 0.0;  ///< Smallest eigenvalue for the position [1/m^2].
-  std::uint32_t flags = 0;       ///< ScanFlag bits.
+  /// Squared correction of the predicted turn and place over its variance: about 1 when the
+  /// prediction is as good as it says.
+  double turn_innovation = 0.0;
+  double shift_innovation = 0.0;
+  std::uint32_t flags = 0;  ///< ScanFlag bits.
 };
 
 /// Motion that the IMU alone measured between two times, without gravity and initial velocity, in
@@ -64,8 +69,8 @@ struct ScanEstimate {
   Eigen::Vector3d gyro_bias_radps = Eigen::Vector3d::Zero();
   Eigen::Vector3d accel_bias_mps2 = Eigen::Vector3d::Zero();
   Eigen::Vector3d gravity_in_map = Eigen::Vector3d::Zero();  ///< [m/s^2]
-  double gravity_sigma_rad = 0.0;                            ///< Of its direction.
-  ImuIncrement since_last = {};  ///< From the end of the scan before; accelerometer bias left in.
+  double gravity_sigma_rad = 0.0;  ///< Of its direction; 0: no IMU measured it.
+  ImuIncrement since_last = {};    ///< From the end of the scan before; accelerometer bias left in.
   Rigid3 imu_from_lidar = {};
   /// Of [translation in map; rotation in the IMU frame].
   Eigen::Matrix<double, 6, 6> covariance = Eigen::Matrix<double, 6, 6>::Zero();
@@ -84,7 +89,11 @@ struct OdometrySummary {
   std::size_t num_points_dropped = 0;  ///< NaN, infinite, zero or out of range.
   std::size_t num_unmatched_scans = 0;
   std::size_t num_degenerate_scans = 0;
+  std::size_t num_scans_before_start = 0;  ///< Left out: no motion explained them.
   bool started_at_standstill = false;
+  bool used_imu = false;  ///< By the end; false when there is none or it is not believed.
+  /// What speaks against the IMU; the motion then comes from the LiDAR alone.
+  std::vector<std::string> imu_doubts = {};
   bool imu_ended = false;          ///< Scans after the last IMU sample were located.
   bool imu_in_g = false;           ///< Specific force came in units of g.
   std::size_t num_map_points = 0;  ///< In the local map at the end.

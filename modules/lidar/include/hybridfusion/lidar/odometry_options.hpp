@@ -14,6 +14,7 @@ struct OdometryOptions {
   double min_range_m = 1.0;
   double max_range_m = 100.0;
   double imu_time_offset_s = 0.0;
+  int max_odometry_points = 40000;
   int max_points_per_scan = 12000;
   double max_blind_s = 5.0;
   LidarInitOptions init = {};
@@ -48,6 +49,13 @@ struct OptionFields<OdometryOptions> {
              .max = 10.0,
              .doc = "Added to the IMU stamps to bring them onto the LiDAR clock.",
              .source = "ours"}},
+      Field{&T::max_odometry_points,
+            {.key = "max_odometry_points",
+             .unit = "1",
+             .min = 1000,
+             .max = 1e7,
+             .doc = "Of denser scans every n-th point is used.",
+             .source = "ours; on 64-line drives a quarter of the points gives the same path"}},
       Field{&T::max_points_per_scan,
             {.key = "max_points_per_scan",
              .unit = "1",

@@ -32,6 +32,8 @@ struct Finding {
 /// What is to be examined; what is absent is not.
 struct DoctorInputs {
   std::optional<std::filesystem::path> images = {};
+  std::optional<std::filesystem::path> geo_tags = {};  ///< Absent: geo.txt among the photos.
+  std::optional<std::filesystem::path> control = {};   ///< Absent: gcp_list.txt among the photos.
   std::optional<std::filesystem::path> bag = {};
   std::optional<std::filesystem::path> sensors = {};  ///< Absent: sensors.yaml beside the bag.
   std::optional<std::filesystem::path> workspace = {};

@@ -18,6 +18,8 @@ namespace hybridfusion {
 struct VisionStageOptions {
   ReconstructionOptions reconstruction = {};
   DensifyOptions densify = {};
+  double max_conflict_sigma = 5.0;
+  std::string model_format = "text";
 };
 template <>
 struct OptionFields<VisionStageOptions> {
@@ -25,11 +27,27 @@ struct OptionFields<VisionStageOptions> {
   static constexpr auto fields = std::tuple{
       Field{&T::reconstruction, {.key = "reconstruction", .doc = "Camera poses."}},
       Field{&T::densify, {.key = "densify", .doc = "Dense cloud."}},
+      Field{&T::max_conflict_sigma,
+            {.key = "max_conflict_sigma",
+             .unit = "sigma",
+             .min = 1,
+             .max = 1e6,
+             .doc = "Positions of two sources (photos, geo.txt, ground control, given poses and "
+                    "their origin, vehicle) that differ by more than so many of their combined "
+                    "deviations contradict each other: the run is refused.",
+             .source = "ours"}},
+      Field{&T::model_format,
+            {.key = "model_format",
+             .choices = "text|both",
+             .doc = "COLMAP model in vision/: as text, or as text and binary (cameras.bin, "
+                    "images.bin, points3D.bin).",
+             .source = "COLMAP"}},
   };
 };
 
 /// Module B: recording -> map.
 struct LidarStageOptions {
+  std::string imu = "auto";
   RecordingOptions recording = {};
   OdometryOptions odometry = {};
   GnssAlignmentOptions gnss = {};
@@ -39,6 +57,12 @@ template <>
 struct OptionFields<LidarStageOptions> {
   using T = LidarStageOptions;
   static constexpr auto fields = std::tuple{
+      Field{&T::imu,
+            {.key = "imu",
+             .choices = "auto|required|none",
+             .doc = "auto: motion comes from the LiDAR alone where the recording has no IMU; "
+                    "required: such a recording is refused; none: an IMU is not listened to.",
+             .source = "ours"}},
       Field{&T::recording, {.key = "recording", .doc = "Topics of the recording."}},
       Field{&T::odometry, {.key = "odometry", .doc = "LiDAR-inertial odometry and map."}},
       Field{&T::gnss, {.key = "gnss", .doc = "Placing the map by GNSS."}},

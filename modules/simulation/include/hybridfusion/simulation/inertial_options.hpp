@@ -2,6 +2,8 @@
 
 #include <hybridfusion/core/options.hpp>
 
+#include <string>
+
 namespace hybridfusion {
 
 /// The vehicle's IMU.
@@ -13,6 +15,7 @@ struct ImuModelOptions {
   double accel_bias_sd_mps2 = 0.03;
   double gyro_bias_walk = 2e-5;
   double accel_bias_walk = 2e-4;
+  std::string vibration = "none";
 };
 template <>
 struct OptionFields<ImuModelOptions> {
@@ -21,7 +24,7 @@ struct OptionFields<ImuModelOptions> {
       Field{&T::rate_hz,
             {.key = "rate_hz",
              .unit = "Hz",
-             .min = 20,
+             .min = 1,
              .max = 2000,
              .doc = "Samples a second.",
              .source = "ours"}},
@@ -67,6 +70,12 @@ struct OptionFields<ImuModelOptions> {
              .max = 1,
              .doc = "Random walk of the accelerometer bias.",
              .source = "ours"}},
+      Field{&T::vibration,
+            {.key = "vibration",
+             .choices = "none|car",
+             .doc = "car: engine and road as an OXTS RT3003 on a car feels them at walking pace, "
+                    "the road's share growing with the root of the speed.",
+             .source = "KITTI raw 2011_09_29, 100 Hz, 110 s: band rms by Welch's method"}},
   };
 };
 

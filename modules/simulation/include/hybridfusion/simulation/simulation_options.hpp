@@ -2,6 +2,7 @@
 
 #include <hybridfusion/core/error.hpp>
 #include <hybridfusion/core/options.hpp>
+#include <hybridfusion/simulation/fault_options.hpp>
 #include <hybridfusion/simulation/flight_options.hpp>
 #include <hybridfusion/simulation/inertial_options.hpp>
 #include <hybridfusion/simulation/vehicle_options.hpp>
@@ -20,6 +21,7 @@ struct SimulationOptions {
   LidarModelOptions lidar = {};
   ImuModelOptions imu = {};
   GnssModelOptions gnss = {};
+  FaultOptions faults = {};
   double samples_per_m2 = 6.0;
 };
 template <>
@@ -33,6 +35,7 @@ struct OptionFields<SimulationOptions> {
       Field{&T::lidar, {.key = "lidar"}},
       Field{&T::imu, {.key = "imu"}},
       Field{&T::gnss, {.key = "gnss"}},
+      Field{&T::faults, {.key = "faults"}},
       Field{&T::samples_per_m2,
             {.key = "samples_per_m2",
              .unit = "1/m^2",

@@ -16,6 +16,10 @@ struct DriveOptions {
   double loop_overlap_m = 12.0;
   std::string route = "loop";
   double swing_deg = 0.0;
+  double start_speed_mps = 0.0;
+  std::string start_place = "random";
+  double weave_m = 0.0;
+  double boat_sway_deg = 0.0;
   double bump_sd_m = 0.008;
   double roll_per_lateral_g_deg = 3.0;
   double camera_hz = 0.0;
@@ -75,6 +79,34 @@ struct OptionFields<DriveOptions> {
              .max = 40,
              .doc = "Roll and pitch swing by up to this angle while driving, as a sensor carried "
                     "by hand or over rough ground does.",
+             .source = "ours"}},
+      Field{&T::start_speed_mps,
+            {.key = "start_speed_mps",
+             .unit = "m/s",
+             .min = 0,
+             .max = 30,
+             .doc = "Speed at the first sample, as far as the next curve allows; then there is no "
+                    "standstill at either end and the drive goes on at up to max_speed_mps.",
+             .source = "ours"}},
+      Field{&T::start_place,
+            {.key = "start_place",
+             .choices = "random|straight|corner",
+             .doc = "Where on its loop a drive begins: anywhere, behind a corner, in one.",
+             .source = "ours"}},
+      Field{&T::weave_m,
+            {.key = "weave_m",
+             .unit = "m",
+             .min = 0,
+             .max = 1.5,
+             .doc = "Weaving within the lane by up to this far to either side.",
+             .source = "ours"}},
+      Field{&T::boat_sway_deg,
+            {.key = "boat_sway_deg",
+             .unit = "deg",
+             .min = 0,
+             .max = 20,
+             .doc = "Roll by up to this angle, half of it in pitch, with heave, at rest too: a "
+                    "boat in a swell of 3 to 6 s.",
              .source = "ours"}},
       Field{&T::bump_sd_m,
             {.key = "bump_sd_m",
