@@ -57,6 +57,7 @@ std::optional<GravityFit> fit_gravity(std::span<const StoredScan> scans) {
   using Vector6 = Eigen::Matrix<double, 6, 1>;
   Matrix6 normal = Matrix6::Zero();
   Vector6 right = Vector6::Zero();
+  double squares = 0.0;
   std::size_t num_windows = 0;
   for (std::size_t i = 0; i < scans.size(); ++i) {
     const std::size_t j = window_end(scans, i);
@@ -80,11 +81,17 @@ std::optional<GravityFit> fit_gravity(std::span<const StoredScan> scans) {
             a->position_by_bias / a->duration_s;
     normal += row.transpose() * row;
     right += row.transpose() * measured;
+    squares += measured.squaredNorm();
     ++num_windows;
   }
   if (num_windows < kMinWindows) return std::nullopt;
+  // What the windows leave over says how good poses and IMU really are: slow samples, stamps that
+  // lag and vibration show here.
+  const Vector6 free = normal.ldlt().solve(right);
+  const double degrees = std::max(1.0, 3.0 * static_cast<double>(num_windows) - 6.0);
+  const double left_over = std::max(0.0, squares - right.dot(free)) / degrees;
   // Windows overlap: per second of data about one is independent.
-  const double sigma = kPoseSigma_m * std::sqrt(6.0) / kWindow_s;
+  const double sigma = std::max(kPoseSigma_m * std::sqrt(6.0) / kWindow_s, std::sqrt(left_over));
   const double share =
       to_seconds(scans.back().time - scans.front().time) / static_cast<double>(num_windows);
   const double weight = std::min(1.0, share) / (sigma * sigma);
