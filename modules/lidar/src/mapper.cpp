@@ -59,6 +59,7 @@ struct LidarMapper::Impl {
   LidarRig rig;
   ScanStore store;
   MappingResult result = {};
+  bool upside_down = false;
 
   /// The first error of the store; found by finish().
   Expected<void> stored = {};
@@ -81,6 +82,11 @@ void LidarMapper::Impl::collect() {
 
 void LidarMapper::Impl::judge() {
   result.contradictions = contradictions_of(result.odometry, store.scans());
+  if (upside_down) {
+    result.contradictions.emplace_back(
+        "the map lies upside down: the ground is above the LiDAR; the IMU (or, without one, the "
+        "LiDAR) is mounted on its head, which imu_from_lidar in sensors.yaml must say");
+  }
   result.longest_blind_s = longest_blind_s(result.quality);
   const bool blind = !(result.longest_blind_s <= options.max_blind_s);
   result.reliable = !blind && result.contradictions.empty();
@@ -178,6 +184,10 @@ Expected<void> LidarMapper::Impl::level(const RunContext& ctx) {
   const Eigen::Vector3d about_up = has_gravity ? Eigen::Vector3d::UnitZ() : lidar_up;
   HF_TRY(const std::optional<StructureLevel> by_structure,
          level_by_structure(store, segments, about_up, ctx));
+  if (by_structure && by_structure->upside_down) {
+    upside_down = true;
+    return {};
+  }
   if (has_gravity) {
     if (by_structure) join_levels(by_gravity.sigma_rad, *by_structure);
     return {};

@@ -119,6 +119,23 @@ Eigen::Vector3d first_vertical(std::span<const MapFace> faces, const Eigen::Vect
 
 }  // namespace
 
+namespace {
+
+/// Ground lies below every LiDAR; ceilings, where there are any, come with a floor.
+bool ground_is_above(std::span<const MapFace> faces, const Eigen::Vector3d& up) {
+  constexpr double kLevelCosine = 0.98;
+  constexpr double kManyMore = 3.0;
+  double above = 0.0;
+  double below = 0.0;
+  for (const MapFace& face : faces) {
+    if (std::abs(face.normal.dot(up)) < kLevelCosine) continue;
+    (face.from_lidar_m.dot(up) > 0.0 ? above : below) += face.weight;
+  }
+  return above > kManyMore * below;
+}
+
+}  // namespace
+
 std::optional<StructureLevel> level_by_faces(std::span<const MapFace> faces,
                                              const Eigen::Vector3d& about_up) {
   if (faces.empty()) return std::nullopt;
@@ -128,6 +145,7 @@ std::optional<StructureLevel> level_by_faces(std::span<const MapFace> faces,
     level = refined(faces, level->up_in_map, tolerance_deg * kDeg);
     if (!level) return std::nullopt;
   }
+  level->upside_down = ground_is_above(faces, level->up_in_map);
   return level;
 }
 
@@ -139,14 +157,18 @@ Expected<std::optional<StructureLevel>> level_by_structure(const ScanStore& stor
   for (std::size_t i = 0; i < segments.size(); ++i) {
     if (ctx.stopped()) return fail(ErrorCode::kCancelled, "stopped by the caller");
     const Rigid3& map_from_segment = store.scans()[segments[i].anchor].map_from_imu;
+    const Eigen::Vector3d lidar_in_imu =
+        store.scans()[segments[i].anchor].lidar_in_imu.cast<double>();
     HF_TRY(const std::vector<PlaneCluster> clusters,
            cluster_segment(store, segments[i], static_cast<std::uint32_t>(i), kFaceVoxel_m));
     for (const PlaneCluster& cluster : clusters) {
       const auto normal = normal_of(cluster);
       if (!normal || is_line(cluster)) continue;
+      const Eigen::Vector3d mean = cluster.mean.cast<double>();
       faces.push_back({.normal = map_from_segment.rotation * *normal,
-                       .center_m = map_from_segment * cluster.mean.cast<double>(),
-                       .weight = std::min<double>(cluster.count, kMaxWeight)});
+                       .center_m = map_from_segment * mean,
+                       .weight = std::min<double>(cluster.count, kMaxWeight),
+                       .from_lidar_m = map_from_segment.rotation * (mean - lidar_in_imu)});
     }
   }
   return level_by_faces(faces, about_up_in_map);

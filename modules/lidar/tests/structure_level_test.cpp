@@ -60,6 +60,16 @@ TEST(LevelByFaces, KnowsThatOneStreetLeavesItsSlopeOpen) {
   EXPECT_GT(level->sigma_rad, 0.01);
 }
 
+TEST(LevelByFaces, TellsAMapThatLiesOnItsHead) {
+  for (const double side : {-1.0, 1.0}) {
+    std::vector<MapFace> faces = street(Eigen::Quaterniond::Identity(), 0.009, 0.02, true, 3);
+    for (MapFace& face : faces) face.from_lidar_m = {5.0, 0.0, 1.5 * side};
+    const auto level = level_by_faces(faces, Eigen::Vector3d::UnitZ());
+    ASSERT_TRUE(level);
+    EXPECT_EQ(level->upside_down, side > 0.0);
+  }
+}
+
 TEST(LevelByFaces, SaysNothingWithoutFaces) {
   EXPECT_FALSE(level_by_faces({}, Eigen::Vector3d::UnitZ()));
 }
